@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "core/base/ids.hpp"
+
+namespace arcbid {
+
+/// Local East-North-Up frame, metres, z up.
+using Vec3 = Eigen::Vector3d;
+
+/// Where the drone is, and the unit vector toward the surface that it scans from there.
+struct Waypoint {
+  Vec3 position_m;
+  Vec3 look;
+};
+
+/// What an arc was made from: a slice's outline, or a row of supplementary viewpoints.
+enum class ArcKind : std::uint8_t { outline, top_row, underside_row };
+std::string_view name(ArcKind kind);
+
+/// L_arc,m of the paper (section 2.3): an open polyline that must be flown exactly once, in either
+/// direction. At least two waypoints; consecutive ones are distinct; length > 0.
+struct Arc {
+  ArcId id;
+  ArcKind kind = ArcKind::outline;
+  std::vector<Waypoint> waypoints;
+};
+
+/// Sum of the segments' lengths, in the order of the waypoints.
+double length_m(const std::vector<Waypoint>& polyline);
+
+/// The part of `polyline` between two distances from its first waypoint, 0 <= from_m < to_m <= length.
+/// A cut inside a segment interpolates the position and (renormalised) the look direction; a cut at
+/// 0 or at the length is bitwise the end waypoint, and equal distances give bitwise equal points.
+std::vector<Waypoint> part(const std::vector<Waypoint>& polyline, double from_m, double to_m);
+
+/// The same polyline flown the other way.
+std::vector<Waypoint> reversed(std::vector<Waypoint> polyline);
+
+/// Digest over ids, kinds and all coordinates, bit for bit.
+std::uint64_t digest(const std::vector<Arc>& arcs);
+
+/// Travel between two points that belong to different arcs (eq. 2, second case), in metres. The
+/// auction, the tour and the final route all ask the same object. Must be a metric on the points
+/// asked for, except that asymmetric costs are allowed.
+class Transit {
+ public:
+  virtual ~Transit() = default;
+  virtual double length_m(const Vec3& from, const Vec3& to) const = 0;
+  /// The way flown, both ends included.
+  virtual std::vector<Vec3> way(const Vec3& from, const Vec3& to) const = 0;
+};
+
+/// Straight legs. Obstacle-aware transit takes its place behind the same interface.
+class StraightTransit : public Transit {
+ public:
+  double length_m(const Vec3& from, const Vec3& to) const override { return (to - from).norm(); }
+  std::vector<Vec3> way(const Vec3& from, const Vec3& to) const override { return {from, to}; }
+};
+
+}  // namespace arcbid

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/arcs/mission.hpp"
+
+#include "core/base/digest.hpp"
+
+namespace arcbid {
+
+std::uint64_t digest(const Mission& mission) {
+  Digest d;
+  d.add(mission.id).add(std::string_view(mission.name)).add(digest(mission.arcs));
+  for (const Uav& uav : mission.fleet) {
+    d.add(std::uint64_t{uav.id.value}).add(uav.speed_mps);
+    for (int axis = 0; axis < 3; ++axis) d.add(uav.home_m[axis]);
+  }
+  const AuctionSettings& a = mission.auction;
+  d.add(static_cast<std::uint64_t>(a.policy)).add(static_cast<std::uint64_t>(a.score));
+  d.add(a.discount_per_s).add(std::uint64_t{a.split_m.has_value()}).add(a.split_m.value_or(0));
+  d.add(std::uint64_t{a.max_tasks}).add(std::uint64_t{a.bundle_limit});
+  for (const TimeNs t : {a.tick_ns, a.lease_ns, a.barrier_ns}) d.add(static_cast<std::uint64_t>(t));
+  d.add(mission.tour.seed).add(std::uint64_t{mission.tour.epochs});
+  return d.value();
+}
+
+}  // namespace arcbid
