@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/auction/agent.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "core/base/error.hpp"
+
+namespace arcbid {
+namespace {
+
+constexpr TimeNs resend_ticks = 4;       // own statements, until everybody confirmed them
+constexpr TimeNs patience_ticks = 8;     // before somebody else's statement is relayed
+constexpr TimeNs heartbeats_a_lease = 8;
+
+std::vector<AgentId> roster_of(const Mission& mission) {
+  std::vector<AgentId> roster;
+  for (const Uav& uav : mission.fleet) roster.push_back(uav.id);
+  return roster;
+}
+
+const Uav& uav_of(const Mission& mission, AgentId self) {
+  const auto at = std::find_if(mission.fleet.begin(), mission.fleet.end(),
+                               [self](const Uav& uav) { return uav.id == self; });
+  check(at != mission.fleet.end(), "an agent is of its mission's fleet");
+  return *at;
+}
+
+TaskSet split_as_told(const Mission& mission) {
+  return split(mission.arcs, mission.auction.split_m, mission.auction.max_tasks);
+}
+
+}  // namespace
+
+Agent::Agent(AgentId self, std::uint64_t incarnation, std::shared_ptr<const Mission> mission,
+             std::shared_ptr<const Transit> transit, TimeNs now_ns)
+    : self_(self),
+      incarnation_(incarnation),
+      mission_(std::move(mission)),
+      transit_(std::move(transit)),
+      tasks_(split_as_told(*mission_)),
+      view_(roster_of(*mission_)),
+      me_(view_.position(self).value()),
+      expected_{digest(*mission_), tasks_.digest, tasks_.tasks.size(), self,
+                mission_->auction.policy},
+      policy_(make_policy(tasks_, uav_of(*mission_, self), view_.roster(), mission_->auction,
+                          *transit_)),
+      membership_(view_.roster().size(), me_, now_ns),
+      readiness_(view_.roster().size(), me_),
+      dissemination_(view_.roster().size(), me_,
+                     {.resend_ns = resend_ticks * mission_->auction.tick_ns,
+                      .patience_ns = patience_ticks * mission_->auction.tick_ns}),
+      now_ns_(now_ns),
+      born_ns_(now_ns),
+      present_(view_.roster().size(), false),
+      decided_ns_(now_ns - mission_->auction.tick_ns),
+      status_sent_ns_(now_ns - mission_->auction.tick_ns) {
+  check(incarnation != 0, "an agent has a life");
+}
+
+Update Agent::step(const Event& event) {
+  Update update;
+  now_ns_ = std::max(now_ns_, event.now_ns);
+  std::visit([&](const auto& what) { handle(what, update); }, event.what);
+  if (phase_ == Phase::waiting_for_peers) start_if_everybody_is_here(update);
+  if (phase_ != Phase::waiting_for_peers) {
+    bury_the_silent(update);
+    if (undecided_ && now_ns_ - decided_ns_ >= mission_->auction.tick_ns) decide(update);
+    prove(update);
+  }
+  send(update);
+  update.wake_ns = next_wake();
+  return update;
+}
+
+void Agent::handle(const Tick& tick, Update&) {
+  if (tick.matched_peers != matched_peers_) status_is_news_ = true;
+  matched_peers_ = tick.matched_peers;
+}
+
+void Agent::handle(const BidMessage& bid, Update& update) {
+  if (!accept(bid.header, update)) return;
+  if (bid.statement.agent != bid.header.sender)
+    update.refused = "a bid in another agent's name";
+  else
+    learn(bid.statement, update);
+}
+
+void Agent::handle(const RelayMessage& relay, Update& update) {
+  if (accept(relay.header, update)) learn(relay.statement, update);
+}
+
+void Agent::handle(const StatusMessage& status, Update& update) {
+  if (status.header.mission_digest == 0 && view_.position(status.header.sender)) return;
+  const auto k = accept(status.header, update);
+  if (!k) return;
+  update.refused = refusal(status, view_);
+  if (update.refused) return;
+  const Heartbeat stamp{status.header.incarnation, status.header.sequence};
+  membership_.heard(*k, stamp, now_ns_);
+  for (std::size_t m = 0; m < status.heartbeats.size(); ++m)
+    if (m != me_) membership_.heard(m, status.heartbeats[m], now_ns_);
+  present_[*k] = status.phase > Phase::waiting_for_peers ||
+                 status.matched_peers + 1 >= view_.roster().size();
+  auction_is_on_ = auction_is_on_ || status.phase > Phase::waiting_for_peers;
+  if (status.view[me_] > view_.key(me_)) refute(status.view[me_], update);
+  dissemination_.holds(*k, stamp, status.view);
+  std::vector<bool> ready(view_.roster().size(), false);
+  for (const AgentId agent : status.ready) ready[*view_.position(agent)] = true;
+  if (readiness_.heard(*k, status.view_hash, std::move(ready))) status_is_news_ = true;
+}
+
+void Agent::handle(const RoutePublished& route, Update&) {
+  if (phase_ != Phase::agreed || route.view_hash != view_hash_) return;
+  phase_ = Phase::routed;
+  status_is_news_ = true;
+}
+
+std::optional<std::size_t> Agent::accept(const Header& header, Update& update) const {
+  update.refused = refusal(header, expected_, view_);
+  if (update.refused) return std::nullopt;
+  return view_.position(header.sender);
+}
+
+void Agent::learn(const Statement& statement, Update& update) {
+  update.refused = refusal(statement, expected_, view_);
+  if (update.refused) return;
+  const std::size_t member = *view_.position(statement.agent);
+  if (member == me_) {
+    if (statement.key > view_.key(me_)) refute(statement.key, update);
+    return;
+  }
+  const bool was_dead = view_.dead(member);
+  if (!view_.merge(statement)) return;
+  if (view_.dead(member) && !was_dead) update.died.push_back(statement.agent);
+  if (was_dead && !view_.dead(member)) {
+    update.returned.push_back(statement.agent);
+    membership_.heard(member, {statement.key.incarnation, 0}, now_ns_);
+  }
+  view_changed(member, update);
+}
+
+void Agent::view_changed(std::size_t member, Update& update) {
+  dissemination_.learnt(member, now_ns_);
+  readiness_.view_changed();
+  undecided_ = true;
+  status_is_news_ = true;
+  if (phase_ == Phase::agreed || phase_ == Phase::routed) {
+    phase_ = Phase::auction;
+    update.agreement_lost = true;
+  }
+}
+
+/// Somebody holds something in this agent's name that it did not say in this life: an old life, or a
+/// tombstone. It begins a new life above that.
+void Agent::refute(const StatementKey& claimed, Update& update) {
+  incarnation_ = std::max(claimed.incarnation + 1, incarnation_);
+  if (!view_.heard(me_)) return;  // nothing stated yet: the first statement will say it
+  state(1);
+  view_changed(me_, update);
+}
+
+bool Agent::everybody_is_here() const {
+  if (matched_peers_ + 1 < view_.roster().size()) return false;
+  for (std::size_t k = 0; k < present_.size(); ++k)
+    if (k != me_ && !present_[k]) return false;
+  return true;
+}
+
+void Agent::start_if_everybody_is_here(Update& update) {
+  const bool waited = now_ns_ - born_ns_ >= mission_->auction.barrier_ns;
+  if (!auction_is_on_ && !waited && !everybody_is_here()) return;
+  phase_ = Phase::auction;
+  update.started = true;
+  status_is_news_ = true;
+  // Whoever has never been heard at the end of the barrier is late already.
+  if (!waited) membership_.restart_leases(now_ns_);
+  state(1);
+}
+
+void Agent::bury_the_silent(Update& update) {
+  for (std::size_t k = 0; k < view_.roster().size(); ++k) {
+    if (view_.dead(k) || !membership_.silent(k, now_ns_, mission_->auction.lease_ns)) continue;
+    StatementKey tombstone = view_.key(k);
+    tombstone.dead = true;
+    view_.merge({view_.roster()[k], tombstone, Claims{}});
+    update.died.push_back(view_.roster()[k]);
+    view_changed(k, update);
+  }
+}
+
+void Agent::state(std::uint32_t version) {
+  view_.merge({self_, {incarnation_, false, version}, policy_->statement()});
+  dissemination_.learnt(me_, now_ns_);
+}
+
+void Agent::decide(Update& update) {
+  const Decision decision = policy_->decide(view_);
+  ++round_;
+  decided_ns_ = now_ns_;
+  undecided_ = !decision.settled;
+  if (decision.changed) {
+    state(view_.key(me_).version + 1);
+    readiness_.view_changed();
+  }
+  view_hash_ = view_.hash();
+  if (decision.settled) readiness_.decided(view_hash_);
+  status_is_news_ = true;
+  update.decision = DecisionMade{round_, decision.changed, view_.key(me_), policy_->statement(),
+                                 policy_->path()};
+}
+
+void Agent::prove(Update& update) {
+  if (phase_ != Phase::auction || !readiness_.ready()) return;
+  Agreement agreement{view_hash_, round_, {}, {}, {}};
+  for (std::size_t k = 0; k < view_.roster().size(); ++k) {
+    if (view_.dead(k)) continue;
+    if (!readiness_.set()[k]) return;
+    agreement.members.push_back(view_.roster()[k]);
+  }
+  agreement.winners = policy_->winners(view_);
+  agreement.path = policy_->path();
+  phase_ = Phase::agreed;
+  status_is_news_ = true;
+  update.agreed = std::move(agreement);
+}
+
+Header Agent::header() {
+  return {self_, incarnation_, ++sequence_, expected_.mission_digest, expected_.task_digest};
+}
+
+StatusMessage Agent::status() const {
+  StatusMessage status;
+  status.phase = phase_;
+  status.round = round_;
+  status.matched_peers = matched_peers_;
+  if (readiness_.ready()) {
+    status.view_hash = view_hash_;
+    for (std::size_t k = 0; k < view_.roster().size(); ++k)
+      if (readiness_.set()[k]) status.ready.push_back(view_.roster()[k]);
+  }
+  status.view = view_.keys();
+  status.heartbeats = membership_.heartbeats();
+  return status;
+}
+
+void Agent::send(Update& update) {
+  for (const std::size_t author : dissemination_.due(view_, now_ns_)) {
+    if (author == me_)
+      update.bids.push_back({header(), view_.of(author)});
+    else
+      update.relays.push_back({header(), view_.of(author)});
+  }
+  const AuctionSettings& auction = mission_->auction;
+  const TimeNs since = now_ns_ - status_sent_ns_;
+  const bool news = status_is_news_ && since >= auction.tick_ns;
+  if (!news && since < auction.lease_ns / heartbeats_a_lease) return;
+  StatusMessage message = status();
+  message.header = header();
+  message.heartbeats[me_] = {incarnation_, message.header.sequence};
+  update.statuses.push_back(std::move(message));
+  status_is_news_ = false;
+  status_sent_ns_ = now_ns_;
+}
+
+TimeNs Agent::next_wake() const {
+  const AuctionSettings& auction = mission_->auction;
+  TimeNs wake = status_sent_ns_ + auction.lease_ns / heartbeats_a_lease;
+  if (status_is_news_) wake = std::min(wake, status_sent_ns_ + auction.tick_ns);
+  if (phase_ == Phase::waiting_for_peers) return std::min(wake, born_ns_ + auction.barrier_ns);
+  for (std::size_t k = 0; k < view_.roster().size(); ++k)
+    if (!view_.dead(k)) wake = std::min(wake, membership_.deadline(k, auction.lease_ns));
+  if (undecided_) wake = std::min(wake, decided_ns_ + auction.tick_ns);
+  if (dissemination_.anyone_lacks(view_)) wake = std::min(wake, now_ns_ + auction.tick_ns);
+  return std::max(wake, now_ns_);
+}
+
+}  // namespace arcbid

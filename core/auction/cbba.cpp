@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/auction/cbba.hpp"
+
+#include <algorithm>
+
+#include "core/base/error.hpp"
+
+namespace arcbid {
+namespace {
+
+Who role(const std::optional<AgentId>& winner, AgentId i, AgentId k) {
+  if (!winner) return Who::none;
+  if (*winner == i) return Who::i;
+  if (*winner == k) return Who::k;
+  return Who::m;
+}
+
+/// A statement's key as a number that grows with it: 41 bits of milliseconds, 22 of version.
+std::uint64_t timestamp(const StatementKey& key) {
+  return (key.incarnation << 22) | key.version;
+}
+
+}  // namespace
+
+CbbaState::CbbaState(AgentId self, std::vector<AgentId> roster, Bundle bundle, std::size_t tasks)
+    : self_(self), roster_(std::move(roster)), bundle_(std::move(bundle)) {
+  table_.beliefs.resize(tasks);
+  table_.timestamps.resize(roster_.size());
+}
+
+std::size_t CbbaState::position(AgentId agent) const {
+  const auto at = std::lower_bound(roster_.begin(), roster_.end(), agent);
+  check(at != roster_.end() && *at == agent, "a believed winner is of the roster");
+  return static_cast<std::size_t>(at - roster_.begin());
+}
+
+Action CbbaState::rule(AgentId sender, const Belief& theirs, const Belief& ours,
+                       const std::vector<std::uint64_t>& sender_timestamps) const {
+  const Who sends = role(theirs.winner, self_, sender);
+  Who has = role(ours.winner, self_, sender);
+  if (sends == Who::m && has == Who::m && theirs.winner != ours.winner) has = Who::n;
+  std::uint8_t holds = always;
+  const auto compare = [&](AgentId other, std::uint8_t newer, std::uint8_t same_too,
+                           std::uint8_t older) {
+    const std::size_t at = position(other);
+    const std::uint64_t s_k = sender_timestamps[at], s_i = table_.timestamps[at];
+    if (s_k > s_i) holds |= newer;
+    if (s_k >= s_i) holds |= same_too;
+    if (s_k < s_i) holds |= older;
+  };
+  if (sends == Who::m)
+    compare(*theirs.winner, newer_m, newer_or_same_m, older_m);
+  else if (has == Who::m)
+    compare(*ours.winner, newer_m, newer_or_same_m, older_m);
+  if (has == Who::n) compare(*ours.winner, newer_n, always, always);
+  if (theirs.winner && beats(theirs.bid, *theirs.winner, ours)) holds |= higher_bid;
+  return decide(row(sends, has), holds);
+}
+
+void CbbaState::receive(std::size_t sender, const Table& table, std::uint64_t now) {
+  for (std::size_t j = 0; j < table_.beliefs.size(); ++j) {
+    Belief& ours = table_.beliefs[j];
+    const Belief& theirs = table.beliefs[j];
+    switch (rule(roster_[sender], theirs, ours, table.timestamps)) {
+      case Action::leave: break;
+      case Action::update: ours = theirs; break;
+      case Action::reset: ours = {}; break;
+    }
+  }
+  for (std::size_t m = 0; m < roster_.size(); ++m)
+    table_.timestamps[m] = std::max(table_.timestamps[m], table.timestamps[m]);
+  table_.timestamps[sender] = now;
+}
+
+void CbbaState::forget(AgentId dead) {
+  for (Belief& belief : table_.beliefs)
+    if (belief.winner == dead) belief = {};
+}
+
+void CbbaState::rebid() {
+  const std::vector<Claim>& claims = bundle_.claims();
+  std::size_t kept = 0;
+  while (kept < claims.size() && table_.beliefs[claims[kept].task.value].winner == self_) ++kept;
+  for (std::size_t n = kept; n < claims.size(); ++n) {
+    Belief& belief = table_.beliefs[claims[n].task.value];
+    if (belief.winner == self_) belief = {};
+  }
+  bundle_.release_from(kept);
+  bundle_.extend(table_.beliefs);
+  for (const Claim& claim : bundle_.claims())
+    table_.beliefs[claim.task.value] = {self_, claim.bid};
+}
+
+Decision CbbaPolicy::decide(const View& view) {
+  const std::vector<Belief> before = state_.table().beliefs;
+  for (std::size_t k = 0; k < view.roster().size(); ++k)
+    if (view.dead(k)) state_.forget(view.roster()[k]);
+  for (std::size_t k = 0; k < view.roster().size(); ++k) {
+    const auto* table = std::get_if<Table>(&view.of(k).body);
+    if (!table || view.dead(k) || state_.is_self(k)) continue;
+    Table living = *table;  // its owner may not know yet who died
+    for (Belief& belief : living.beliefs)
+      if (belief.winner && view.dead(*belief.winner)) belief = {};
+    state_.receive(k, living, timestamp(view.key(k)));
+  }
+  state_.rebid();
+  const bool changed = state_.table().beliefs != before;
+  return {.changed = changed, .settled = !changed};
+}
+
+}  // namespace arcbid

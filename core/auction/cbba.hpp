@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "core/auction/bundle.hpp"
+#include "core/auction/decision_table.hpp"
+#include "core/auction/policy.hpp"
+
+namespace arcbid {
+
+/// The state of one agent under published CBBA (Choi, Brunet, How 2009): y_i, z_i, s_i and the bundle;
+/// and its two phases. Timestamps are any numbers that grow with news: rounds, times or versions.
+class CbbaState {
+ public:
+  CbbaState(AgentId self, std::vector<AgentId> roster, Bundle bundle, std::size_t tasks);
+
+  /// Applies Table I to everything `sender` (roster position) believes, then brings s_i up to date: s_ik = `now`,
+  /// and for others the later of s_im and s_km.
+  void receive(std::size_t sender, const Table& table, std::uint64_t now);
+
+  /// No winner may be one of these any more: Table I has no rule for death, so it is an explicit step.
+  void forget(AgentId dead);
+
+  /// Releases the first task that was lost and everything bundled after it, then bids again.
+  void rebid();
+
+  bool is_self(std::size_t position) const { return roster_[position] == self_; }
+  const Table& table() const { return table_; }
+  const Bundle& bundle() const { return bundle_; }
+
+ private:
+  Action rule(AgentId sender, const Belief& theirs, const Belief& ours,
+              const std::vector<std::uint64_t>& sender_timestamps) const;
+  std::size_t position(AgentId agent) const;
+
+  AgentId self_;
+  std::vector<AgentId> roster_;
+  Bundle bundle_;
+  Table table_;
+};
+
+/// Published CBBA on the newest statements of all: a decision is one synchronous round in which every
+/// living agent's newest table arrives, and it is settled when such a round changes nothing. Versions of
+/// statements serve as timestamps, so no clock is compared.
+class CbbaPolicy final : public Policy {
+ public:
+  explicit CbbaPolicy(CbbaState state) : state_(std::move(state)) {}
+
+  Decision decide(const View& view) override;
+  StatementBody statement() const override { return state_.table(); }
+  std::vector<Belief> winners(const View&) const override { return state_.table().beliefs; }
+  const std::vector<PathStop>& path() const override { return state_.bundle().path(); }
+
+ private:
+  CbbaState state_;
+};
+
+}  // namespace arcbid

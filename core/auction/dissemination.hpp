@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/auction/view.hpp"
+
+namespace arcbid {
+
+/// When to say what again: anti-entropy over links that drop. Every status message carries the keys of
+/// the sender's view; whoever lacks a statement is served by its author at once, and, should that fail, by a
+/// relay after some patience (without it every holder relays at the same moment). Members are roster positions.
+class Dissemination {
+ public:
+  struct Timing {
+    TimeNs resend_ns;    ///< between two tries of one's own statement
+    TimeNs patience_ns;  ///< before another's statement is relayed
+  };
+  Dissemination(std::size_t members, std::size_t self, Timing timing);
+
+  /// `member` holds `keys` (as of `sequence` of life `incarnation`): replaces what was known of it, never the
+  /// other way round, and never by a maximum, for a reborn agent holds less than it did.
+  void holds(std::size_t member, const Heartbeat& stamp, std::vector<StatementKey> keys);
+  /// The view has a new statement of `member`.
+  void learnt(std::size_t member, TimeNs now);
+
+  /// Members whose statements should be sent now; marks them as sent.
+  std::vector<std::size_t> due(const View& view, TimeNs now);
+  /// Whether some living member is known to lack something.
+  bool anyone_lacks(const View& view) const;
+
+ private:
+  bool lacks(std::size_t reader, std::size_t author, const View& view) const;
+  bool wanted(std::size_t author, const View& view) const;
+  TimeNs wait_ns(std::size_t author, const View& view) const;
+
+  std::size_t self_;
+  Timing timing_;
+  std::vector<Heartbeat> stamps_;
+  std::vector<std::vector<StatementKey>> known_;  // by member; empty: never heard
+  std::vector<TimeNs> learnt_ns_;
+  std::vector<std::optional<TimeNs>> said_ns_;  // when its newest statement was last sent from here
+};
+
+}  // namespace arcbid

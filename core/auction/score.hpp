@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/arcs/mission.hpp"
+#include "core/auction/task_set.hpp"
+
+namespace arcbid {
+
+/// One stop of path p_i: a task, and which way it is flown.
+struct PathStop {
+  TaskId task;
+  bool reversed = false;  ///< from last_m to first_m
+  friend bool operator==(const PathStop&, const PathStop&) = default;
+};
+
+/// The best way to take one more task: eqs. (7) and (8).
+struct Insertion {
+  double gain = 0;             ///< c_ij, the marginal score; higher is better, may be negative
+  std::uint32_t position = 0;  ///< l*: the task comes before what now stands there
+  bool reversed = false;
+};
+
+/// An agent's path p_i and what a further task would add to its score S. Ties between equally good
+/// insertions: the earlier position, then not reversed. All scores are functions of the path alone.
+class PathScore {
+ public:
+  virtual ~PathScore() = default;
+
+  /// Makes `path` the path.
+  virtual void assign(std::vector<PathStop> path) = 0;
+  /// c_ij and where, for a task that is not in the path and was not retired since assign().
+  virtual Insertion best(TaskId task) = 0;
+  /// A number that c_ij cannot exceed, at little cost; `exact` when it is c_ij and best() costs nothing.
+  struct Bound {
+    double gain = 0;
+    bool exact = false;
+  };
+  virtual Bound bound(TaskId task) { return {best(task).gain, true}; }
+  virtual void insert(TaskId task, const Insertion& where) = 0;
+  /// The task will not be asked for again before the next assign().
+  virtual void retire(TaskId task) = 0;
+  /// Whether c_ij never rises as the path grows (diminishing marginal gains).
+  virtual bool diminishing() const = 0;
+  virtual const std::vector<PathStop>& path() const = 0;
+};
+
+/// The score that the mission asks for, for one UAV: MiniMax (Lagoudakis et al. 2005: minus the
+/// completion time of the closed tour), MiniSum (minus the time added to it), or Choi's
+/// time-discounted reward, a piece being worth its length.
+std::unique_ptr<PathScore> make_score(const TaskSet& set, const Uav& uav,
+                                      const AuctionSettings& settings, const Transit& transit);
+
+}  // namespace arcbid

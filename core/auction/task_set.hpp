@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/arcs/arc.hpp"
+#include "core/base/ids.hpp"
+
+namespace arcbid {
+
+/// T(k): a piece of one arc, and what an auction needs to know of it. Metres.
+struct Task {
+  TaskId id;
+  ArcId arc;
+  double from_m = 0, to_m = 0;  ///< distances along the arc from its first waypoint, from_m < to_m
+  Vec3 first_m = Vec3::Zero(), last_m = Vec3::Zero();  ///< where the piece begins and ends
+  double length_m() const { return to_m - from_m; }
+};
+
+/// The work set T of SC-CBBA (paper, section 3.1, step 1). Every agent makes it by itself from the
+/// published arcs; equal digests mean equal sets, bit for bit.
+struct TaskSet {
+  std::vector<Task> tasks;  ///< by arc, then along the arc; tasks[j].id.value == j
+  double piece_m = 0;       ///< the piece length used
+  std::uint64_t digest = 0;
+  std::vector<std::string> warnings;
+
+  /// A_T(k, l) of eq. (3): both pieces come from the same arc.
+  bool same_arc(TaskId k, TaskId l) const { return tasks[k.value].arc == tasks[l.value].arc; }
+};
+
+/// Eq. (4): cuts every arc into pieces of the shortest arc's length (or `split_m`), the remainder
+/// being the last piece. A remainder below 1 mm stays with the piece before it. Where that makes more than
+/// `max_tasks` pieces the length is raised until it does not (whole arcs at most), with a warning.
+TaskSet split(const std::vector<Arc>& arcs, std::optional<double> split_m, std::uint32_t max_tasks);
+
+/// A stretch of one arc, won as a whole.
+struct Piece {
+  ArcId arc;
+  double from_m = 0, to_m = 0;  ///< from_m < to_m
+  friend bool operator==(const Piece&, const Piece&) = default;
+};
+
+/// Eq. (11): neighbours in `path` that are neighbours on the same arc become one piece again. Pieces
+/// come in the order of the path.
+std::vector<Piece> combine(const TaskSet& set, const std::vector<TaskId>& path);
+
+}  // namespace arcbid

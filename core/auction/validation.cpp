@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/auction/validation.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <vector>
+
+namespace arcbid {
+namespace {
+
+using Reason = std::optional<std::string>;
+
+Reason implausible(std::uint64_t incarnation) {
+  if (incarnation <= last_incarnation) return {};
+  return fmt::format("life {} is beyond {}", incarnation, last_incarnation);
+}
+
+Reason refusal(const Claims& claims, const Expected& expected, const View&) {
+  if (expected.policy != PolicyKind::claims) return "claims, but the mission's policy is cbba";
+  std::vector<bool> seen(expected.tasks, false);
+  for (const Claim& claim : claims.bundle) {
+    if (claim.task.value >= expected.tasks)
+      return fmt::format("task {} is outside [0, {})", claim.task.value, expected.tasks);
+    if (!std::isfinite(claim.bid))
+      return fmt::format("the bid for task {} is {}", claim.task.value, claim.bid);
+    if (seen[claim.task.value]) return fmt::format("task {} is claimed twice", claim.task.value);
+    seen[claim.task.value] = true;
+  }
+  return {};
+}
+
+Reason refusal(const Table& table, const Expected& expected, const View& view) {
+  if (expected.policy != PolicyKind::cbba) return "a table, but the mission's policy is claims";
+  if (table.beliefs.size() != expected.tasks)
+    return fmt::format("a table of {} tasks, not {}", table.beliefs.size(), expected.tasks);
+  if (table.timestamps.size() != view.roster().size())
+    return fmt::format("{} timestamps, not {}", table.timestamps.size(), view.roster().size());
+  for (std::size_t j = 0; j < table.beliefs.size(); ++j) {
+    const Belief& belief = table.beliefs[j];
+    if (!std::isfinite(belief.bid)) return fmt::format("the bid for task {} is {}", j, belief.bid);
+    if (belief.winner && !view.position(*belief.winner))
+      return fmt::format("task {} is won by agent {}, who is not of the fleet", j,
+                         belief.winner->value);
+  }
+  return {};
+}
+
+}  // namespace
+
+Reason refusal(const Header& header, const Expected& expected, const View& view) {
+  if (!view.position(header.sender))
+    return fmt::format("agent {} is not of the fleet", header.sender.value);
+  if (header.sender == expected.self)
+    return fmt::format("another process says it is agent {}", header.sender.value);
+  if (header.mission_digest != expected.mission_digest)
+    return fmt::format("agent {} flies mission {:016x}, not {:016x}", header.sender.value,
+                       header.mission_digest, expected.mission_digest);
+  if (header.task_digest != expected.task_digest)
+    return fmt::format("agent {} split the arcs differently: {:016x}, not {:016x}",
+                       header.sender.value, header.task_digest, expected.task_digest);
+  if (header.incarnation == 0) return fmt::format("agent {} has no life", header.sender.value);
+  return implausible(header.incarnation);
+}
+
+Reason refusal(const Statement& statement, const Expected& expected, const View& view) {
+  if (!view.position(statement.agent))
+    return fmt::format("a statement of agent {}, who is not of the fleet", statement.agent.value);
+  if (const Reason reason = implausible(statement.key.incarnation)) return reason;
+  if (statement.key.dead) {
+    const auto* claims = std::get_if<Claims>(&statement.body);
+    if (!claims || !claims->bundle.empty()) return "a tombstone that claims tasks";
+    return {};
+  }
+  if (statement.key.incarnation == 0)
+    return fmt::format("a statement of agent {} without a life", statement.agent.value);
+  return std::visit([&](const auto& body) { return refusal(body, expected, view); },
+                    statement.body);
+}
+
+Reason refusal(const StatusMessage& status, const View& view) {
+  const std::size_t members = view.roster().size();
+  if (status.view.size() != members || status.heartbeats.size() != members)
+    return fmt::format("a view of {} and heartbeats of {} members, not {}", status.view.size(),
+                       status.heartbeats.size(), members);
+  for (const StatementKey& key : status.view)
+    if (const Reason reason = implausible(key.incarnation)) return reason;
+  for (const Heartbeat& beat : status.heartbeats)
+    if (const Reason reason = implausible(beat.incarnation)) return reason;
+  for (const AgentId agent : status.ready)
+    if (!view.position(agent))
+      return fmt::format("agent {} is called ready but is not of the fleet", agent.value);
+  return {};
+}
+
+}  // namespace arcbid

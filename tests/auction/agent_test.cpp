@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One agent: the start, silence and return, agreement.
+#include <gmock/gmock.h>
+
+#include "tests/auction/agent_fixture.hpp"
+
+namespace arcbid::testing {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+// -- the start
+// ---------------------------------------------------------------------------------------
+
+TEST_F(AgentTest, DoesNotStartBeforeEverybodyIsPresent) {
+  EXPECT_FALSE(tick().started);
+  EXPECT_FALSE(hear(status(first, Phase::waiting_for_peers)).started);
+  EXPECT_FALSE(hear(status(third, Phase::waiting_for_peers, 1)).started)
+      << "agent 3 misses somebody";
+  EXPECT_EQ(agent->phase(), Phase::waiting_for_peers);
+  EXPECT_TRUE(hear(status(third, Phase::waiting_for_peers)).started);
+  EXPECT_EQ(agent->phase(), Phase::auction);
+}
+
+TEST_F(AgentTest, DoesNotStartBeforeItReachesEverybodyItself) {
+  tick(1);
+  hear(status(first, Phase::waiting_for_peers));
+  EXPECT_FALSE(hear(status(third, Phase::waiting_for_peers)).started);
+  EXPECT_TRUE(tick(2).started);
+}
+
+TEST_F(AgentTest, StartsWhenSomebodyElseHas) {
+  tick(1);
+  EXPECT_TRUE(hear(status(first, Phase::auction)).started);
+}
+
+TEST_F(AgentTest, StartsAtTheEndOfTheBarrierWithoutThoseNeverHeard) {
+  Update update = tick(1);
+  while (!update.started && now < 60 * second) {
+    if (now < 9 * second) hear(status(first, Phase::waiting_for_peers, 1));
+    now = wake_ns;
+    update = tick(1);
+  }
+  EXPECT_EQ(now, mission->auction.barrier_ns);
+  EXPECT_THAT(update.died, ElementsAre(third)) << "silent all along, and nobody waits again";
+}
+
+TEST_F(AgentTest, CountsSilenceFromTheStart) {
+  tick();
+  hear(status(first, Phase::waiting_for_peers));
+  now = 5 * second;
+  EXPECT_THAT(hear(status(third, Phase::waiting_for_peers)).died, IsEmpty());
+  now += mission->auction.lease_ns;
+  EXPECT_THAT(tick().died, IsEmpty());
+}
+
+TEST_F(AgentTest, BidsAsSoonAsItHasStarted) {
+  start();
+  settle();
+  const auto& bundle = std::get<Claims>(agent->view().of(at_self).body).bundle;
+  EXPECT_EQ(bundle.size(), agent->tasks().tasks.size()) << "nobody else claims anything";
+  EXPECT_EQ(agent->view().key(at_self).incarnation, own_life);
+}
+
+TEST_F(AgentTest, SaysNothingOfItsWorkWhileItWaits) {
+  const Update update = tick(1);
+  EXPECT_THAT(update.bids, IsEmpty());
+  ASSERT_EQ(update.statuses.size(), 1u);
+  EXPECT_EQ(update.statuses[0].phase, Phase::waiting_for_peers);
+}
+
+TEST_F(AgentTest, DoesNotMindAPeerThatHasNoMissionYet) {
+  StatusMessage message;
+  message.header = {first, life(first), 1, 0, 0};
+  const Update update = hear(message);
+  EXPECT_EQ(update.refused, std::nullopt);
+  EXPECT_FALSE(update.started);
+}
+
+TEST_F(AgentTest, DecidesAtMostOnceATick) {
+  start();
+  now = second;
+  EXPECT_TRUE(hear(bid(claims(first, 1, {{{0}, -0.5}}))).decision);
+  EXPECT_FALSE(hear(bid(claims(first, 2, {{{1}, -0.5}}))).decision);
+  EXPECT_EQ(wake_ns, now + mission->auction.tick_ns);
+  now = wake_ns - 1;
+  EXPECT_FALSE(tick().decision);
+  now += 1;
+  const Update update = tick();
+  ASSERT_TRUE(update.decision);
+  EXPECT_TRUE(update.decision->changed);
+  EXPECT_EQ(update.decision->key, agent->view().key(at_self));
+  EXPECT_EQ(agent->winners()[1].winner, first);
+}
+
+// -- silence and return
+// ------------------------------------------------------------------------------
+
+TEST_F(AgentTest, BuriesTheSilentAfterTheLease) {
+  start();
+  std::vector<AgentId> died;
+  while (died.empty() && now < 60 * second) {
+    now = wake_ns;
+    died = tick().died;
+  }
+  EXPECT_THAT(died, ElementsAre(first, third));
+  EXPECT_EQ(now, mission->auction.lease_ns + 1);
+  EXPECT_TRUE(agent->view().dead(first));
+}
+
+TEST_F(AgentTest, CountsARelayedHeartbeatAsLife) {
+  start();
+  now = second;
+  StatusMessage message = status(first);
+  message.heartbeats[at_third] = {life(third), 50};
+  hear(message);
+  now = second + mission->auction.lease_ns;
+  EXPECT_THAT(tick().died, IsEmpty());
+  now += 1;
+  EXPECT_THAT(tick().died, ElementsAre(first, third));
+}
+
+TEST_F(AgentTest, TakesOverFromTheDeadAndGivesBackToTheReturned) {
+  start();
+  std::vector<Claim> everything;
+  for (const Task& task : agent->tasks().tasks) everything.push_back({task.id, 1000.0});
+  hear(bid(claims(first, 1, everything)));
+  settle();
+  for (const Belief& belief : agent->winners()) ASSERT_EQ(belief.winner, first);
+
+  Statement tombstone{first, {life(first), true, 1}, Claims{}};
+  EXPECT_THAT(hear(RelayMessage{header(third), tombstone}).died, ElementsAre(first));
+  settle();
+  for (const Belief& belief : agent->winners()) EXPECT_EQ(belief.winner, self);
+
+  Statement reborn{first, {life(first) + 1, false, 1}, Claims{everything}};
+  EXPECT_THAT(hear(bid(reborn)).returned, ElementsAre(first));
+  settle();
+  for (const Belief& belief : agent->winners()) EXPECT_EQ(belief.winner, first);
+}
+
+TEST_F(AgentTest, AnswersATombstoneOfItselfWithANewLife) {
+  start();
+  settle();
+  const Statement tombstone{self, {own_life, true, 1}, Claims{}};
+  const Update update = hear(RelayMessage{header(third), tombstone});
+  EXPECT_EQ(update.refused, std::nullopt);
+  ASSERT_EQ(update.bids.size(), 1u);
+  EXPECT_EQ(update.bids[0].statement.key, (StatementKey{own_life + 1, false, 1}));
+  EXPECT_EQ(update.bids[0].header.incarnation, own_life + 1);
+  EXPECT_FALSE(agent->view().dead(self));
+  EXPECT_THAT(update.died, IsEmpty());
+}
+
+TEST_F(AgentTest, AnswersATombstoneThatItOnlySeesInAStatus) {
+  start();
+  settle();
+  StatusMessage message = status(third);
+  message.view[at_self] = {own_life + 40, true, 3};
+  const Update update = hear(message);
+  ASSERT_EQ(update.bids.size(), 1u);
+  EXPECT_EQ(update.bids[0].statement.key, (StatementKey{own_life + 41, false, 1}));
+}
+
+TEST_F(AgentTest, AnswersWhatItNeverSaidInThisLife) {
+  start();
+  settle();
+  hear(RelayMessage{header(third), {self, {own_life, false, 900}, Claims{}}});
+  EXPECT_EQ(agent->view().key(at_self), (StatementKey{own_life + 1, false, 1}));
+}
+
+TEST_F(AgentTest, StartsAboveAnOldLifeThatItHearsOfBeforeTheStart) {
+  hear(RelayMessage{header(third), {self, {own_life + 7, false, 9}, Claims{}}});
+  start();
+  settle();
+  EXPECT_EQ(agent->view().key(at_self).incarnation, own_life + 8);
+}
+
+// -- agreement
+// ---------------------------------------------------------------------------------------
+
+TEST_F(AgentTest, AgreesOnceEverybodyIsKnownToHaveBeenReady) {
+  const Update update = agree();
+  ASSERT_TRUE(update.agreed);
+  EXPECT_EQ(agent->phase(), Phase::agreed);
+  EXPECT_EQ(update.agreed->view_hash, agent->view().hash());
+  EXPECT_THAT(update.agreed->members, ElementsAre(first, self, third));
+  EXPECT_EQ(update.agreed->winners, agent->winners());
+  EXPECT_EQ(update.agreed->path.size(), agent->tasks().tasks.size());
+}
+
+TEST_F(AgentTest, DoesNotAgreeWhileSomebodyIsNotKnownToBeReady) {
+  start();
+  hear(bid(claims(first, 1)));
+  hear(bid(claims(third, 1)));
+  settle();
+  StatusMessage message = status(first);
+  message.view_hash = agent->view().hash();
+  message.ready = {first};
+  EXPECT_FALSE(hear(message).agreed);
+  message = status(third);
+  message.view_hash = agent->view().hash() + 1;
+  message.ready = {first, third};
+  EXPECT_FALSE(hear(message).agreed) << "ready for something else";
+}
+
+TEST_F(AgentTest, LosesItsAgreementWhenSomethingOutsideChanges) {
+  ASSERT_TRUE(agree().agreed);
+  const Update update = hear(bid(claims(third, 2)));
+  EXPECT_TRUE(update.agreement_lost);
+  EXPECT_EQ(agent->phase(), Phase::auction);
+  EXPECT_FALSE(hear(bid(claims(third, 3))).agreement_lost) << "there was none any more";
+}
+
+TEST_F(AgentTest, KeepsItsAgreementWhenItHearsNothingNew) {
+  ASSERT_TRUE(agree().agreed);
+  EXPECT_FALSE(hear(bid(claims(third, 1))).agreement_lost);
+  EXPECT_FALSE(hear(status(third)).agreement_lost);
+  EXPECT_EQ(agent->phase(), Phase::agreed);
+}
+
+TEST_F(AgentTest, IsRoutedOnceTheRouteOfThisAgreementIsPublished) {
+  const Update update = agree();
+  ASSERT_TRUE(update.agreed);
+  hear(RoutePublished{update.agreed->view_hash + 1});
+  EXPECT_EQ(agent->phase(), Phase::agreed) << "the route of another agreement";
+  hear(RoutePublished{update.agreed->view_hash});
+  EXPECT_EQ(agent->phase(), Phase::routed);
+  EXPECT_TRUE(hear(bid(claims(third, 2))).agreement_lost);
+}
+
+TEST_F(AgentTest, IsNotRoutedByALateRoute) {
+  const std::uint64_t old = agree().agreed->view_hash;
+  hear(bid(claims(third, 2)));
+  hear(RoutePublished{old});
+  EXPECT_EQ(agent->phase(), Phase::auction);
+}
+
+class CbbaAgentTest : public AgentTest {
+ protected:
+  CbbaAgentTest() : AgentTest(PolicyKind::cbba) {}
+};
+
+TEST_F(CbbaAgentTest, IsNotReadyWhileItsDecisionIsUnsettled) {
+  tick();
+  now = second / 10;
+  hear(status(first, Phase::waiting_for_peers));
+  now = second / 5;
+  const Update update = hear(status(third, Phase::waiting_for_peers));
+  ASSERT_TRUE(update.decision);
+  ASSERT_TRUE(update.decision->changed) << "its first bids";
+  ASSERT_EQ(update.statuses.size(), 1u);
+  EXPECT_THAT(update.statuses[0].ready, IsEmpty());
+  now = wake_ns;
+  const Update later = tick();
+  ASSERT_EQ(later.statuses.size(), 1u);
+  EXPECT_THAT(later.statuses[0].ready, ElementsAre(self));
+}
+
+}  // namespace
+}  // namespace arcbid::testing
