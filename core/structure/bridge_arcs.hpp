@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/arcs/arc.hpp"
+#include "core/structure/structure.hpp"
+
+namespace arcbid {
+
+enum class RowSide : std::uint8_t { short_side, long_side };
+
+/// How a structure becomes arcs (paper, section 2; all lengths in metres).
+struct CoverageSettings {
+  double spacing_m = 5.0;           ///< D: greatest distance between neighbouring path lines.
+  double standoff_m = 4.0;          ///< distance at which the drone flies beside the surface.
+  double safety_m = 2.0;            ///< least distance of any arc point from any surface point.
+  double ground_clearance_m = 3.0;  ///< no arc lower than this above the ground.
+  RowSide rows = RowSide::short_side;
+  std::uint64_t seed = 1;          ///< of the surface samples that check the arcs' reach.
+  std::optional<double> ground_m;  ///< z of the ground; none: the structure's lowest point.
+};
+
+/// One interface from structure to arcs: every kind of structure yields this.
+struct ArcPlan {
+  std::vector<Arc> arcs;              ///< arcs[i].id.value == i
+  std::vector<std::string> warnings;  ///< for people, one line each
+  double surface_m2 = 0;              ///< area (mesh) or occupied-voxel estimate (cloud)
+  /// Share of surface samples within standoff_m + spacing_m of a waypoint: an upper bound of
+  /// coverage, not coverage (neither view nor incidence is asked).
+  double within_reach = 0;
+  Vec3 low_m = Vec3::Zero(), high_m = Vec3::Zero();  ///< bounding box of the structure
+};
+
+/// Slices, clusters, outlines, stand-off, supplementary rows, cuts (sections 2.1 to 2.3;
+/// docs/ARCS.md). Every point of every arc, between waypoints too, keeps safety_m from the surface
+/// and stays above the ground clearance; neighbouring waypoints are at most spacing_m apart. The
+/// same input gives the same arcs bit for bit. Throws InputError for illegal settings and when
+/// nothing can be flown (no points, all points on one spot, coordinates that are not finite, a size
+/// that no unit explains).
+ArcPlan bridge_arcs(const Structure& structure, const CoverageSettings& settings);
+
+}  // namespace arcbid
