@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/config/keys.hpp"
+
+#include <fmt/format.h>
+
+namespace arcbid::yaml {
+namespace {
+
+template <class Owner, class T>
+Key<Owner> key(const std::string& name, T Owner::*member, const Kind<T>& kind,
+               const std::string& meaning) {
+  return {name, kind.legal, meaning,
+          [=](const Place& place, Owner& owner, Report& report) {
+            kind.read(place, owner.*member, report);
+          },
+          [=](const Owner& owner) { return kind.print(owner.*member); }};
+}
+
+template <class Owner>
+Key<Owner> required(Key<Owner> k) {
+  k.required = true;
+  return k;
+}
+
+template <class Owner>
+using Keys = std::vector<Key<Owner>>;
+
+/// Adds to `keys` those of a section, which is a member of the owner.
+template <class Owner, class Section>
+void add_section(Keys<Owner>& keys, const std::string& name, Section Owner::*member,
+                 const Keys<Section>& section) {
+  for (const Key<Section>& k : section)
+    keys.push_back({name + "." + k.name, k.legal, k.meaning,
+                    [=](const Place& place, Owner& owner, Report& report) {
+                      k.read(place, owner.*member, report);
+                    },
+                    [=](const Owner& owner) { return k.print(owner.*member); }});
+}
+
+Kind<AgentId> agent_id() {
+  const Kind<std::uint32_t> plain = number<std::uint32_t>(1, 65535);
+  return {
+      plain.legal,
+      [=](const Place& place, AgentId& id, Report& report) { plain.read(place, id.value, report); },
+      [=](const AgentId& id) { return plain.print(id.value); }};
+}
+
+Uav read_uav(const YAML::Node& node, const std::string& path, Report& report) {
+  Uav uav;
+  if (node.IsMap())
+    read_mapping({node, node.Mark(), path}, uav_keys(), uav, report);
+  else
+    report.problem(node.Mark(), path, "is not a mapping such as {id: 1, home_m: [0, 0, 0]}");
+  return uav;
+}
+
+std::string print_uav(const Uav& uav) {
+  std::string line;
+  for (const Key<Uav>& k : uav_keys())
+    line += fmt::format("{}{}: {}", line.empty() ? "" : ", ", k.name, k.print(uav));
+  return "{" + line + "}";
+}
+
+Kind<std::vector<Uav>> uav_list() {
+  const std::string legal = fmt::format("a list of up to {} UAVs", most_agents);
+  return {
+      legal,
+      [=](const Place& place, std::vector<Uav>& uavs, Report& report) {
+        if (!place.node.IsSequence()) {
+          if (is_scalar(place, legal, report))
+            report.problem(place.at, place.path,
+                           fmt::format("{} is not {}", shown(place.node), legal));
+        } else if (place.node.size() > most_agents) {
+          report.problem(place.at, place.path,
+                         fmt::format("a list of {} is not {}", place.node.size(), legal));
+        } else {
+          for (std::size_t i = 0; i < place.node.size(); ++i)
+            uavs.push_back(read_uav(place.node[i], fmt::format("{}[{}]", place.path, i), report));
+        }
+      },
+      [](const std::vector<Uav>& uavs) {
+        std::string lines;
+        for (const Uav& uav : uavs) lines += "\n    - " + print_uav(uav);
+        return uavs.empty() ? "[]" : lines;
+      }};
+}
+
+Keys<ParametricBridge> parametric_keys() {
+  using P = ParametricBridge;
+  return {
+      key("kind", &P::kind,
+          choice<BridgeKind>({{"girder", BridgeKind::girder},
+                              {"arch", BridgeKind::arch},
+                              {"towers", BridgeKind::towers}}),
+          "Piers only, an arch, or towers."),
+      key("length_m", &P::length_m, number<double>(1, 5000), "Length of the deck, along x."),
+      key("width_m", &P::width_m, number<double>(1, 200), "Width of the deck, along y."),
+      key("deck_height_m", &P::deck_height_m, number<double>(1, 1000),
+          "Height of the deck's top above the ground."),
+      key("deck_thickness_m", &P::deck_thickness_m, number<double>(0.1, 20),
+          "Thickness of the deck."),
+      key("piers", &P::piers, number<std::uint32_t>(0, 100),
+          "Number of piers, or of towers, in equal spans."),
+      key("pier_width_m", &P::pier_width_m, number<double>(0.1, 50),
+          "Width of a pier or tower leg; thickness of the arch."),
+      key("girders", &P::girders, number<std::uint32_t>(0, 50), "Girders under the deck."),
+      key("girder_depth_m", &P::girder_depth_m, number<double>(0.1, 20),
+          "How far the girders reach below the deck."),
+      key("tower_height_m", &P::tower_height_m, number<double>(1, 1000),
+          "Height of the towers' tops, or of the arch's crown."),
+  };
+}
+
+Keys<StructureConfig> structure_keys() {
+  using S = StructureConfig;
+  Keys<S> keys = {
+      key("file", &S::file, file_name(),
+          "Point cloud or mesh to inspect, relative to the config's folder. Absent: the built-in "
+          "bridge described by `structure.parametric`."),
+      key("unit", &S::unit,
+          choice<std::string>({{"m", "m"},
+                               {"cm", "cm"},
+                               {"mm", "mm"},
+                               {"ft", "ft"},
+                               {"us-ft", "us-ft"},
+                               {"in", "in"}}),
+          "Unit of the file's coordinates."),
+      key("up", &S::up, choice<char>({{"x", 'x'}, {"y", 'y'}, {"z", 'z'}}),
+          "Axis of the file that points up."),
+  };
+  add_section(keys, "parametric", &S::parametric, parametric_keys());
+  return keys;
+}
+
+Keys<CoverageSettings> coverage_keys() {
+  using C = CoverageSettings;
+  return {
+      key("spacing_m", &C::spacing_m, number<double>(0.2, 100),
+          "D: greatest distance between neighbouring path lines; what the scanner's width allows."),
+      key("standoff_m", &C::standoff_m, number<double>(0.2, 100),
+          "Distance at which a UAV flies beside the surface."),
+      key("safety_m", &C::safety_m, number<double>(0.1, 100),
+          "Least distance of any path point from the surface; some below `coverage.standoff_m`."),
+      key("ground_clearance_m", &C::ground_clearance_m, number<double>(0, 100),
+          "No path lower than this above the ground."),
+      key("ground_m", &C::ground_m, number_or<double>("lowest_point", -100000, 100000),
+          "Height (z) of the ground; `lowest_point`: that of the structure."),
+      key("rows", &C::rows,
+          choice<RowSide>({{"short_side", RowSide::short_side}, {"long_side", RowSide::long_side}}),
+          "Which side of a horizontal surface its rows run along; the short one gives even arcs."),
+      key("seed", &C::seed, number<std::uint64_t>(0, 4294967295),
+          "Seed of the surface samples that check the paths' reach."),
+  };
+}
+
+Keys<FleetConfig> fleet_keys() {
+  using F = FleetConfig;
+  return {
+      key("agents", &F::agents, number<std::uint32_t>(1, most_agents),
+          "Number of UAVs, placed in a row on the ground beside the structure."),
+      key("speed_mps", &F::speed_mps, number<double>(0.1, 30),
+          "Speed of every UAV that does not state its own."),
+      key("uavs", &F::uavs, uav_list(),
+          "UAVs with their homes, in place of `fleet.agents`. Empty: the row."),
+  };
+}
+
+Keys<AuctionSettings> auction_keys() {
+  using A = AuctionSettings;
+  return {
+      key("policy", &A::policy,
+          choice<PolicyKind>({{"claims", PolicyKind::claims}, {"cbba", PolicyKind::cbba}}),
+          "How conflicts are resolved: each agent states its own claims, or CBBA's tables as "
+          "published (Choi, Brunet, How 2009)."),
+      key("score", &A::score,
+          choice<ScoreKind>({{"minimax", ScoreKind::minimax},
+                             {"minisum", ScoreKind::minisum},
+                             {"discounted", ScoreKind::discounted}}),
+          "What a bid rewards: an early end of the agent's whole tour, a short detour, or an early "
+          "visit."),
+      key("discount_per_s", &A::discount_per_s, number<double>(1e-6, 10),
+          "Rate at which the discounted score falls with time."),
+      key("split_m", &A::split_m, number_or<double>("shortest_arc", 0.1, 10000),
+          "Arcs are cut into pieces of this length before the auction; `shortest_arc`: the "
+          "shortest arc's length (eq. 4)."),
+      key("max_tasks", &A::max_tasks, number<std::uint32_t>(1, 100000),
+          "Most pieces; the piece length is raised, with a warning, to keep it."),
+      key("bundle_limit", &A::bundle_limit, number<std::uint32_t>(0, 100000),
+          "L_t: most pieces an agent takes; 0: no limit."),
+      key("tick_ms", &A::tick_ns, milliseconds(1, 10000),
+          "Least time between two rounds of one agent."),
+      key("lease_ms", &A::lease_ns, milliseconds(10, 600000),
+          "An agent that was not heard of for this long counts as dead; at least 3 ticks."),
+      key("barrier_ms", &A::barrier_ns, milliseconds(0, 600000),
+          "How long the start waits for all agents."),
+  };
+}
+
+Keys<TourSettings> tour_keys() {
+  using T = TourSettings;
+  return {
+      key("seed", &T::seed, number<std::uint64_t>(0, 4294967295),
+          "Seed of the order in which arcs are shown to the ring (CRSOM)."),
+      key("epochs", &T::epochs, number<std::uint32_t>(1, 100000),
+          "How often the whole arc set is shown to the ring."),
+  };
+}
+
+Keys<NetworkConfig> network_keys() {
+  using N = NetworkConfig;
+  return {
+      key("transport", &N::transport,
+          choice<TransportKind>({{"loopback", TransportKind::loopback},
+                                 {"discovery_server", TransportKind::discovery_server}}),
+          "How processes find each other: all on this host, or through a discovery server."),
+      key("domain", &N::domain, number_or<std::uint32_t>("auto", 0, 232),
+          "DDS domain; `auto`: one that keeps two runs on one host apart."),
+      key("server_address", &N::server_address, ipv4_address(), "Where the discovery server is."),
+      key("server_port", &N::server_port, number<std::uint16_t>(1, 65535),
+          "The discovery server's port."),
+      key("interface_address", &N::interface_address, ipv4_address(),
+          "This host's address on the network that the fleet shares."),
+      key("reliable_bids", &N::reliable_bids, boolean(),
+          "Let DDS repeat lost bids. The auction does not need it."),
+  };
+}
+
+Keys<Config> all_keys() {
+  Keys<Config> keys = {key("name", &Config::name, title(), "Names the run in logs and folders.")};
+  add_section(keys, "structure", &Config::structure, structure_keys());
+  add_section(keys, "coverage", &Config::coverage, coverage_keys());
+  add_section(keys, "fleet", &Config::fleet, fleet_keys());
+  add_section(keys, "auction", &Config::auction, auction_keys());
+  add_section(keys, "tour", &Config::tour, tour_keys());
+  add_section(keys, "network", &Config::network, network_keys());
+  keys.push_back(key("timeout_s", &Config::timeout_s, number<double>(1, 86400),
+                     "The launcher gives up after this."));
+  return keys;
+}
+
+}  // namespace
+
+const Keys<Config>& config_keys() {
+  static const Keys<Config> keys = all_keys();
+  return keys;
+}
+
+const Keys<Uav>& uav_keys() {
+  static const Keys<Uav> keys = {
+      required(key("id", &Uav::id, agent_id(), "Names the UAV; distinct.")),
+      required(key("home_m", &Uav::home_m, position(1e6), "Where it starts and ends.")),
+      key("speed_mps", &Uav::speed_mps, number<double>(0.1, 30), "Its speed."),
+  };
+  return keys;
+}
+
+}  // namespace arcbid::yaml

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "core/base/error.hpp"
+#include "core/base/ids.hpp"
+
+namespace arcbid {
+
+/// What every program of ours does the same way: its clock, how it is asked to stop, how it reports.
+
+/// The machine's monotonic clock: the same for all processes of one host.
+TimeNs monotonic_ns();
+/// Milliseconds of the wall clock: grows from life to life of one agent, and so names its incarnation.
+std::uint64_t boot_stamp_ms();
+
+/// From now on SIGTERM and SIGINT ask the process to stop instead of ending it.
+void stop_on_signals();
+bool stop_requested();
+
+/// The process ends (SIGTERM) when the one that started it does, however that ends.
+void end_with_parent();
+
+/// Tells whoever started this process what happens: a JSON object a line on standard output
+/// ({"event": "agreed", …}) for a launcher, or the same as words for a person.
+class Reporter {
+ public:
+  Reporter(std::string who, bool json) : who_(std::move(who)), json_(json) {}
+  void operator()(std::string_view event, nlohmann::json fields = nlohmann::json::object()) const;
+
+ private:
+  std::string who_;
+  bool json_;
+};
+
+/// Runs `body`; turns InputError into one line each on standard error and exit code 2, and anything else
+/// unforeseen into one line and exit code 1.
+int run_program(const std::function<Exit()>& body);
+
+}  // namespace arcbid

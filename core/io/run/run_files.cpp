@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/run/run_files.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "core/base/error.hpp"
+#include "core/io/run/event_json.hpp"
+
+namespace arcbid {
+
+using nlohmann::json;
+
+void write_whole(const std::filesystem::path& file, const std::string& text) {
+  std::error_code failed;
+  if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), failed);
+  std::filesystem::path beside = file;
+  beside += ".part";
+  {
+    std::ofstream out(beside, std::ios::binary);
+    out << text;
+    if (!out.flush()) throw InputError(fmt::format("{}: cannot be written", beside.string()));
+  }
+  std::filesystem::rename(beside, file, failed);
+  if (failed)
+    throw InputError(fmt::format("{}: cannot be written: {}", file.string(), failed.message()));
+}
+
+std::filesystem::path route_file(const std::filesystem::path& run, AgentId agent) {
+  return run / "routes" / fmt::format("agent_{}.json", agent.value);
+}
+
+void write_arcs_file(const std::filesystem::path& run, const Mission& mission) {
+  const json all = to_json(mission);
+  const json out{{"schema", 1},
+                 {"mission", {{"id", all["id"]}, {"name", all["name"]}}},
+                 {"frame", "local East-North-Up, metres"},
+                 {"fleet", all["fleet"]},
+                 {"arcs", all["arcs"]}};
+  write_whole(run / "arcs.json", out.dump());
+}
+
+namespace {
+
+json agreement_of(const TaskSet& tasks, const Agreement& agreement, double time_s) {
+  json members = json::array();
+  for (const AgentId member : agreement.members) members.push_back(member.value);
+  json list = json::array();
+  for (const Task& task : tasks.tasks) {
+    const Belief& belief = agreement.winners[task.id.value];
+    list.push_back({{"task", task.id.value},
+                    {"arc", task.arc.value},
+                    {"from_m", task.from_m},
+                    {"to_m", task.to_m},
+                    {"owner", belief.winner ? json(belief.winner->value) : json(nullptr)},
+                    {"bid", belief.bid}});
+  }
+  return {{"view_hash", hex(agreement.view_hash)},
+          {"round", agreement.round},
+          {"time_s", time_s},
+          {"members", members},
+          {"tasks", list}};
+}
+
+json route_of(const Route& route) {
+  json legs = json::array();
+  for (const RouteLeg& leg : route.legs) {
+    json out;
+    out["kind"] = leg.arc ? "arc" : "transit";
+    if (leg.arc) {
+      out["arc"] = leg.arc->value;
+      out["from_m"] = leg.from_m;
+      out["to_m"] = leg.to_m;
+    }
+    out["waypoints"] = json::array();
+    for (const Waypoint& waypoint : leg.waypoints) out["waypoints"].push_back(to_json(waypoint));
+    legs.push_back(std::move(out));
+  }
+  return {{"length_m", route.length_m},
+          {"time_s", route.time_s},
+          {"stages", {{"auction_order_m", route.auction_order_m}, {"crsom_m", route.crsom_m}}},
+          {"legs", legs}};
+}
+
+}  // namespace
+
+void write_route_file(const std::filesystem::path& run, AgentId agent, const Mission& mission,
+                      const TaskSet& tasks, const Agreement& agreement, const Route& route,
+                      double time_s) {
+  const json out{{"schema", 1},
+                 {"agent", agent.value},
+                 {"mission", hex(mission.id)},
+                 {"agreement", agreement_of(tasks, agreement, time_s)},
+                 {"route", route_of(route)}};
+  write_whole(route_file(run, agent), out.dump());
+}
+
+}  // namespace arcbid
