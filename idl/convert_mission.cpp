@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "idl/convert_common.hpp"
+
+namespace arcbid {
+
+std::vector<wire::Waypoint> convert::encode(const std::vector<Waypoint>& waypoints) {
+  std::vector<wire::Waypoint> out(waypoints.size());
+  for (std::size_t i = 0; i < waypoints.size(); ++i) {
+    out[i].position_m(encode(waypoints[i].position_m));
+    out[i].look(encode(waypoints[i].look));
+  }
+  return out;
+}
+
+std::vector<Waypoint> convert::decode(const std::vector<wire::Waypoint>& waypoints,
+                                      Verdict& verdict) {
+  std::vector<Waypoint> out;
+  out.reserve(waypoints.size());
+  for (const wire::Waypoint& w : waypoints)
+    out.push_back({decode(w.position_m(), "waypoint.position_m", verdict),
+                   decode(w.look(), "waypoint.look", verdict)});
+  return out;
+}
+
+namespace {
+
+using convert::decode;
+using convert::encode;
+using convert::enumerator;
+using convert::Verdict;
+
+wire::AuctionSettings encode(const AuctionSettings& settings) {
+  wire::AuctionSettings out;
+  out.policy(static_cast<wire::PolicyKind>(settings.policy));
+  out.score(static_cast<wire::ScoreKind>(settings.score));
+  out.discount_per_s(settings.discount_per_s);
+  out.has_split(settings.split_m.has_value());
+  out.split_m(settings.split_m.value_or(0));
+  out.max_tasks(settings.max_tasks);
+  out.bundle_limit(settings.bundle_limit);
+  out.tick_ns(settings.tick_ns);
+  out.lease_ns(settings.lease_ns);
+  out.barrier_ns(settings.barrier_ns);
+  return out;
+}
+
+AuctionSettings decode(const wire::AuctionSettings& settings, Verdict& verdict) {
+  AuctionSettings out;
+  out.policy =
+      enumerator<PolicyKind>(settings.policy(), wire::POLICY_CBBA, "auction.policy", verdict);
+  out.score =
+      enumerator<ScoreKind>(settings.score(), wire::SCORE_DISCOUNTED, "auction.score", verdict);
+  out.discount_per_s = settings.discount_per_s();
+  verdict.require(std::isfinite(out.discount_per_s) && out.discount_per_s > 0,
+                  "auction.discount_per_s", out.discount_per_s);
+  verdict.finite("auction.split_m", settings.split_m());
+  if (settings.has_split()) {
+    out.split_m = settings.split_m();
+    verdict.require(*out.split_m > 0, "auction.split_m", *out.split_m);
+  }
+  out.max_tasks = settings.max_tasks();
+  verdict.require(out.max_tasks > 0, "auction.max_tasks", out.max_tasks);
+  out.bundle_limit = settings.bundle_limit();
+  out.tick_ns = settings.tick_ns();
+  verdict.require(out.tick_ns > 0, "auction.tick_ns", out.tick_ns);
+  out.lease_ns = settings.lease_ns();
+  verdict.require(out.lease_ns > 0, "auction.lease_ns", out.lease_ns);
+  out.barrier_ns = settings.barrier_ns();
+  verdict.require(out.barrier_ns >= 0, "auction.barrier_ns", out.barrier_ns);
+  return out;
+}
+
+Arc decode(const wire::Arc& arc, std::size_t position, Verdict& verdict) {
+  Arc out{ArcId{static_cast<std::uint32_t>(position)},
+          enumerator<ArcKind>(arc.kind(), wire::ARC_UNDERSIDE_ROW, "arc.kind", verdict),
+          decode(arc.waypoints(), verdict)};
+  verdict.require(out.waypoints.size() >= 2, "arc.waypoints.size", out.waypoints.size());
+  for (std::size_t i = 1; i < out.waypoints.size(); ++i)
+    verdict.require(out.waypoints[i].position_m != out.waypoints[i - 1].position_m,
+                    "arc.waypoints: repeated position at", i);
+  return out;
+}
+
+Uav decode(const wire::Uav& uav, std::uint32_t previous_id, Verdict& verdict) {
+  verdict.require(uav.id() > previous_id, "fleet.id", uav.id());
+  verdict.require(std::isfinite(uav.speed_mps()) && uav.speed_mps() > 0, "fleet.speed_mps",
+                  uav.speed_mps());
+  return {AgentId{uav.id()}, decode(uav.home_m(), "fleet.home_m", verdict), uav.speed_mps()};
+}
+
+void check_sizes(const wire::Mission& mission, Verdict& verdict) {
+  verdict.text("name", mission.name());
+  verdict.require(!mission.arcs().empty(), "arcs.size", 0);
+  verdict.require(!mission.fleet().empty(), "fleet.size", 0);
+  verdict.at_most("arcs", mission.arcs().size(), kMaxArcs);
+  verdict.at_most("fleet", mission.fleet().size(), kMaxAgents);
+  std::size_t waypoints = 0;
+  for (const wire::Arc& arc : mission.arcs()) waypoints += arc.waypoints().size();
+  verdict.at_most("arcs.waypoints", waypoints, kMaxWaypoints);
+}
+
+}  // namespace
+
+wire::Mission to_wire(const Mission& mission) {
+  wire::Mission out;
+  out.schema_version(wire::SCHEMA_VERSION);
+  out.id(mission.id);
+  out.name(mission.name);
+  out.arcs().resize(mission.arcs.size());
+  for (std::size_t i = 0; i < mission.arcs.size(); ++i) {
+    out.arcs()[i].kind(static_cast<wire::ArcKind>(mission.arcs[i].kind));
+    out.arcs()[i].waypoints(encode(mission.arcs[i].waypoints));
+  }
+  out.fleet().resize(mission.fleet.size());
+  for (std::size_t i = 0; i < mission.fleet.size(); ++i) {
+    out.fleet()[i].id(mission.fleet[i].id.value);
+    out.fleet()[i].home_m(encode(mission.fleet[i].home_m));
+    out.fleet()[i].speed_mps(mission.fleet[i].speed_mps);
+  }
+  out.auction(encode(mission.auction));
+  out.tour().seed(mission.tour.seed);
+  out.tour().epochs(mission.tour.epochs);
+  return out;
+}
+
+Decoded<Mission> from_wire(const wire::Mission& mission) {
+  Verdict verdict(mission.schema_version());
+  check_sizes(mission, verdict);
+  if (!verdict.accepted()) return verdict.on(Mission{});
+  Mission out;
+  out.id = mission.id();
+  out.name = mission.name();
+  for (const wire::Arc& arc : mission.arcs())
+    out.arcs.push_back(decode(arc, out.arcs.size(), verdict));
+  for (const wire::Uav& uav : mission.fleet())
+    out.fleet.push_back(decode(uav, out.fleet.empty() ? 0 : out.fleet.back().id.value, verdict));
+  out.auction = decode(mission.auction(), verdict);
+  out.tour = {mission.tour().seed(), mission.tour().epochs()};
+  return verdict.on(std::move(out));
+}
+
+wire::Control to_wire(const ControlMessage& message) {
+  wire::Control out;
+  out.schema_version(wire::SCHEMA_VERSION);
+  out.mission_digest(message.mission_digest);
+  out.command(static_cast<wire::Command>(message.command));
+  out.reason(message.reason);
+  return out;
+}
+
+Decoded<ControlMessage> from_wire(const wire::Control& message) {
+  Verdict verdict(message.schema_version());
+  verdict.text("reason", message.reason());
+  ControlMessage out{
+      message.mission_digest(),
+      enumerator<Command>(message.command(), wire::COMMAND_ABORT, "command", verdict),
+      message.reason()};
+  return verdict.on(std::move(out));
+}
+
+}  // namespace arcbid

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <fastdds/dds/domain/qos/DomainParticipantQos.hpp>
+#include <fastdds/dds/publisher/qos/DataWriterQos.hpp>
+#include <fastdds/dds/subscriber/qos/DataReaderQos.hpp>
+#include <string>
+
+#include "core/io/config.hpp"
+#include "idl/bus.hpp"
+#include "idl/topics.hpp"
+
+namespace arcbid {
+
+/// UDPv4 on one interface, unicast only, no shared memory, at the lowest of the domain's ports that
+/// are free; peers found on those ports at the interface's address, or through a discovery server.
+/// The role travels as the participant's user data. Throws InputError when an address isn't IPv4 or
+/// the interface isn't this machine's.
+eprosima::fastdds::dds::DomainParticipantQos participant_qos(const NetworkConfig& network,
+                                                             std::uint32_t domain, BusRole role,
+                                                             const std::string& name,
+                                                             std::uint32_t fleet_size);
+
+/// True when a participant's user data says that it is an agent.
+bool is_agent(const std::vector<std::uint8_t>& user_data);
+
+eprosima::fastdds::dds::DataWriterQos writer_qos(Delivery delivery, const NetworkConfig& network);
+eprosima::fastdds::dds::DataReaderQos reader_qos(Delivery delivery, const NetworkConfig& network);
+
+}  // namespace arcbid
