@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "agent/agent_process.hpp"
+
+#include <fmt/format.h>
+#include <sys/types.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "core/io/run/event_json.hpp"
+#include "core/io/run/run_files.hpp"
+#include "core/route/route.hpp"
+
+namespace arcbid {
+namespace {
+
+using nlohmann::json;
+
+constexpr TimeNs ask_interval_ns = 200'000'000;
+constexpr TimeNs traffic_interval_ns = 500'000'000;
+constexpr TimeNs longest_wait_ns = 50'000'000;  // signals are noticed between waits
+
+double seconds(TimeNs ns) { return static_cast<double>(ns) * 1e-9; }
+
+json count(const std::vector<AgentId>& agents) {
+  json out = json::array();
+  for (const AgentId agent : agents) out.push_back(agent.value);
+  return out;
+}
+
+}  // namespace
+
+AgentProcess::AgentProcess(AgentOptions options)
+    : options_(std::move(options)),
+      report_(fmt::format("agent {}", options_.id.value), options_.json_events),
+      incarnation_(boot_stamp_ms()),
+      bus_(options_.network, options_.domain, BusRole::agent,
+           fmt::format("arcbid-agent-{}", options_.id.value), options_.fleet_size) {
+  if (options_.run) {
+    std::filesystem::create_directories(*options_.run / "logs");
+    // A life has its own log: an agent that comes back must not write over what its last life left.
+    log_.emplace(*options_.run / "logs" /
+                 fmt::format("agent_{}.{}.sqlite", options_.id.value, incarnation_));
+    log_->meta("schema", 1);
+    log_->meta("process", {{"role", "agent"},
+                           {"agent", options_.id.value},
+                           {"incarnation", hex(incarnation_)},
+                           {"pid", getpid()},
+                           {"version", ARCBID_VERSION}});
+    log_->commit();
+  }
+  report_("up", {{"pid", getpid()}, {"domain", options_.domain}});
+}
+
+Exit AgentProcess::run() {
+  while (!done_ && !stop_requested()) {
+    const TimeNs wait = std::clamp<TimeNs>(wake_ns_ - now_ns(), 0, longest_wait_ns);
+    for (const Received& received : bus_.wait(std::chrono::nanoseconds(wait)))
+      std::visit([this](const auto& message) { handle(message); }, received);
+    if (now_ns() >= wake_ns_) {
+      if (agent_)
+        step({now_ns(), Tick{bus_.matched_agents()}});
+      else
+        ask_for_mission();
+    }
+    if (log_) log_->commit_if_due(now_ns());
+    report_traffic(false);
+  }
+  report_traffic(true);
+  if (log_) log_->append(now_ns(), "end", {{"by", done_ ? "coordinator" : "signal"}});
+  return done_.value_or(Exit::done);
+}
+
+/// Until the mission is here, status messages say so, and the coordinator sends it again.
+void AgentProcess::ask_for_mission() {
+  StatusMessage status;
+  status.header = {options_.id, incarnation_, ++sequence_, 0, 0};
+  status.matched_peers = bus_.matched_agents();
+  bus_.publish(status);
+  wake_ns_ = now_ns() + ask_interval_ns;
+}
+
+void AgentProcess::handle(const Mission& mission) {
+  if (agent_) {
+    if (digest(mission) != digest(*mission_))
+      refuse(fmt::format("mission {} came while {} is under way", hex(mission.id), hex(mission_->id)));
+    return;
+  }
+  const auto me = std::find_if(mission.fleet.begin(), mission.fleet.end(),
+                               [this](const Uav& uav) { return uav.id == options_.id; });
+  if (me == mission.fleet.end()) {
+    refuse(fmt::format("mission {} has no agent {}", hex(mission.id), options_.id.value));
+    return;
+  }
+  mission_ = std::make_shared<const Mission>(mission);
+  transit_ = std::make_shared<const StraightTransit>();
+  agent_ = std::make_unique<Agent>(options_.id, incarnation_, mission_, transit_, now_ns());
+  if (log_) log_->append(now_ns(), "mission", to_json(mission));
+  report_("mission", {{"arcs", mission.arcs.size()}, {"tasks", agent_->tasks().tasks.size()}});
+  for (const std::string& warning : agent_->tasks().warnings) report_("warning", {{"text", warning}});
+  step({now_ns(), Tick{bus_.matched_agents()}});
+}
+
+void AgentProcess::handle(const ControlMessage& control) {
+  if (mission_ && control.mission_digest != digest(*mission_)) return;
+  if (log_) log_->append(now_ns(), "control", {{"command", static_cast<int>(control.command)}});
+  done_ = control.command == Command::complete ? Exit::done : Exit::check_failed;
+}
+
+void AgentProcess::handle(const Malformed& malformed) {
+  refuse(fmt::format("{}: {}", malformed.topic, malformed.reason));
+}
+
+template <class Message>
+void AgentProcess::handle(const Message& message) {
+  if (agent_) step({now_ns(), message});
+}
+
+void AgentProcess::refuse(const std::string& reason) {
+  ++refused_;
+  if (log_) log_->append(now_ns(), "refused", {{"reason", reason}});
+  report_("refused", {{"reason", reason}});
+}
+
+void AgentProcess::step(Event event) {
+  if (log_) log_->append(event.now_ns, kind(event), to_json(event));
+  Update update = agent_->step(event);
+  carry_out(update);
+}
+
+void AgentProcess::carry_out(Update& update) {
+  wake_ns_ = update.wake_ns;
+  // What is said must be on record before anybody can act on it.
+  if (log_) {
+    if (update.decision) log_->append(now_ns(), "decision", to_json(*update.decision));
+    for (const auto& m : update.bids) log_->append(now_ns(), "sent_bid", to_json(m));
+    for (const auto& m : update.relays) log_->append(now_ns(), "sent_relay", to_json(m));
+    for (const auto& m : update.statuses) log_->append(now_ns(), "sent_status", to_json(m));
+    if (update.agreed) log_->append(now_ns(), "agreed", to_json(*update.agreed));
+  }
+  for (const auto& bid : update.bids) bus_.publish(bid);
+  for (const auto& relay : update.relays) bus_.publish(relay);
+  for (const auto& status : update.statuses) bus_.publish(status);
+  if (update.refused) refuse(*update.refused);
+  report(update);
+  if (update.agreed) fly(*update.agreed);
+}
+
+void AgentProcess::report(const Update& update) {
+  if (update.started) report_("started");
+  if (!update.died.empty()) {
+    if (log_) log_->append(now_ns(), "died", count(update.died));
+    report_("died", {{"agents", count(update.died)}});
+  }
+  if (!update.returned.empty()) report_("returned", {{"agents", count(update.returned)}});
+  if (update.decision && update.decision->changed)
+    report_("round", {{"round", update.decision->round}, {"tasks", update.decision->path.size()}});
+  if (update.agreement_lost) report_("reopened");
+  if (update.agreed)
+    report_("agreed", {{"view_hash", hex(update.agreed->view_hash)},
+                       {"round", update.agreed->round},
+                       {"time_s", seconds(now_ns())},
+                       {"members", count(update.agreed->members)}});
+}
+
+/// Plans the route for what was won, says so to all, and only then to the auction.
+void AgentProcess::fly(const Agreement& agreement) {
+  const double agreed_s = seconds(now_ns());
+  const auto self = std::find_if(mission_->fleet.begin(), mission_->fleet.end(),
+                                 [this](const Uav& uav) { return uav.id == options_.id; });
+  const Route route = plan_route(*mission_, agent_->tasks(), agreement.path, *self, *transit_);
+  if (options_.run)
+    write_route_file(*options_.run, options_.id, *mission_, agent_->tasks(), agreement, route,
+                     agreed_s);
+  RouteMessage message;
+  message.header = {options_.id, incarnation_, ++sequence_, digest(*mission_),
+                    agent_->tasks().digest};
+  message.view_hash = agreement.view_hash;
+  message.length_m = route.length_m;
+  message.time_s = route.time_s;
+  message.legs = route.legs;
+  bus_.publish(message);
+  if (log_) log_->commit();
+  report_("routed", {{"view_hash", hex(agreement.view_hash)},
+                     {"members", count(agreement.members)},
+                     {"pieces", route.pieces},
+                     {"length_m", route.length_m},
+                     {"time_s", route.time_s}});
+  step({now_ns(), RoutePublished{agreement.view_hash}});
+}
+
+void AgentProcess::report_traffic(bool last) {
+  if (!last && now_ns() - traffic_reported_ns_ < traffic_interval_ns) return;
+  traffic_reported_ns_ = now_ns();
+  const TrafficCounters traffic = bus_.counters();
+  const json fields{{"sent", traffic.sent},
+                    {"received", traffic.received},
+                    {"dropped", traffic.dropped + refused_},
+                    {"bytes", traffic.bytes_sent}};
+  if (last && log_) log_->append(now_ns(), "traffic", fields);
+  report_("traffic", fields);
+}
+
+}  // namespace arcbid

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "core/auction/agent.hpp"
+#include "core/io/config.hpp"
+#include "core/io/process/process.hpp"
+#include "core/io/run/run_log.hpp"
+#include "idl/bus.hpp"
+
+namespace arcbid {
+
+struct AgentOptions {
+  AgentId id;
+  NetworkConfig network;
+  std::uint32_t domain = 0;
+  std::uint32_t fleet_size = 4;                 ///< until the mission says it
+  std::optional<std::filesystem::path> run;     ///< run directory; none: no files are written
+  TimeNs epoch_ns = 0;                          ///< launch, on the monotonic clock
+  bool json_events = false;
+};
+
+/// One UAV's process: carries events from DDS and the clock into the auction's state machine, and its updates
+/// out to DDS, to the log and to whoever started it. Decides nothing itself.
+class AgentProcess {
+ public:
+  explicit AgentProcess(AgentOptions options);
+
+  /// Until the coordinator ends the mission, or a signal asks to stop.
+  Exit run();
+
+ private:
+  void handle(const Mission& mission);
+  void handle(const ControlMessage& control);
+  void handle(const Malformed& malformed);
+  void handle(const RouteMessage&) {}  // the other agents' routes are the coordinator's business
+  template <class Message>
+  void handle(const Message& message);
+
+  void step(Event event);
+  void carry_out(Update& update);
+  void report(const Update& update);
+  void fly(const Agreement& agreement);
+  void refuse(const std::string& reason);
+  void ask_for_mission();
+  void report_traffic(bool last);
+  TimeNs now_ns() const { return monotonic_ns() - options_.epoch_ns; }
+
+  AgentOptions options_;
+  Reporter report_;
+  std::optional<RunLog> log_;
+  const std::uint64_t incarnation_;
+  Bus bus_;
+  std::shared_ptr<const Mission> mission_;
+  std::shared_ptr<const Transit> transit_;
+  std::unique_ptr<Agent> agent_;  // once the mission is known
+  TimeNs wake_ns_ = 0;
+  TimeNs traffic_reported_ns_ = 0;
+  std::uint64_t refused_ = 0;
+  std::uint64_t sequence_ = 0;  // of status messages before the mission
+  std::optional<Exit> done_;
+};
+
+}  // namespace arcbid

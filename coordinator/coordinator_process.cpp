@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "coordinator/coordinator_process.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <utility>
+
+#include "core/base/digest.hpp"
+#include "core/io/mission/mission_plan.hpp"
+#include "core/io/run/event_json.hpp"
+#include "core/io/run/run_files.hpp"
+
+namespace arcbid {
+namespace {
+
+using nlohmann::json;
+using namespace std::chrono_literals;
+
+constexpr TimeNs repeat_interval_ns = 1'000'000'000;
+constexpr TimeNs farewell_ns = 2'000'000'000;  // for the last message to reach everybody
+
+}  // namespace
+
+CoordinatorProcess::CoordinatorProcess(CoordinatorOptions options)
+    : options_(std::move(options)),
+      report_("coordinator", options_.json_events),
+      bus_(options_.config.network, options_.domain, BusRole::coordinator, "arcbid-coordinator",
+           fleet_size(options_.config)) {
+  if (options_.run) {
+    std::filesystem::create_directories(*options_.run / "logs");
+    log_.emplace(*options_.run / "logs" / fmt::format("coordinator.{}.sqlite", boot_stamp_ms()));
+    log_->meta("schema", 1);
+    log_->meta("process",
+               {{"role", "coordinator"}, {"pid", getpid()}, {"version", ARCBID_VERSION}});
+    log_->meta("config", to_yaml(options_.config));
+    log_->commit();
+  }
+  report_("up", {{"pid", getpid()}, {"domain", options_.domain}});
+}
+
+Exit CoordinatorProcess::run() {
+  publish_mission();
+  const auto deadline_ns = static_cast<TimeNs>(options_.config.timeout_s * 1e9);
+  while (!stop_requested()) {
+    for (const Received& received : bus_.wait(50ms))
+      std::visit([this](const auto& message) { handle(message); }, received);
+    publish_again_if_wanted();
+    if (log_) log_->commit_if_due(now_ns());
+    if (const auto hash = progress_->complete()) {
+      report_("complete", {{"view_hash", hex(*hash)}});
+      end_mission(Command::complete, "every living agent has published its route");
+      return Exit::done;
+    }
+    if (now_ns() > deadline_ns) {
+      report_("timeout", {{"timeout_s", options_.config.timeout_s}});
+      end_mission(Command::abort, "the mission took longer than timeout_s");
+      return Exit::check_failed;
+    }
+  }
+  report_traffic();
+  return Exit::done;
+}
+
+void CoordinatorProcess::publish_mission() {
+  const auto id = Digest().add(boot_stamp_ms()).add(std::uint64_t(getpid())).value();
+  MissionPlan plan = plan_mission(options_.config, id);
+  mission_ = std::move(plan.mission);
+  progress_.emplace(mission_);
+  for (const std::string& warning : plan.warnings) report_("warning", {{"text", warning}});
+  if (options_.run) write_arcs_file(*options_.run, mission_);
+  if (log_) {
+    log_->append(now_ns(), "mission", to_json(mission_));
+    log_->commit();
+  }
+  double total_m = 0;
+  for (const Arc& arc : mission_.arcs) total_m += length_m(arc.waypoints);
+  bus_.publish(mission_);
+  published_ns_ = now_ns();
+  report_("published", {{"arcs", mission_.arcs.size()},
+                        {"metres", total_m},
+                        {"time_s", static_cast<double>(published_ns_) * 1e-9}});
+}
+
+void CoordinatorProcess::publish_again_if_wanted() {
+  if (!progress_->mission_wanted() || now_ns() - published_ns_ < repeat_interval_ns) return;
+  bus_.publish(mission_);
+  progress_->mission_sent();
+  published_ns_ = now_ns();
+}
+
+void CoordinatorProcess::handle(const StatusMessage& status) {
+  const bool of_this_mission = status.header.mission_digest == digest(mission_);
+  if (!of_this_mission && status.phase != Phase::waiting_for_mission) return;
+  progress_->heard(status);
+  if (log_) log_->append(now_ns(), "status", to_json(status));
+}
+
+void CoordinatorProcess::handle(const RouteMessage& route) {
+  if (route.header.mission_digest != digest(mission_)) return;
+  progress_->heard(route);
+  if (log_)
+    log_->append(now_ns(), "route", {{"agent", route.header.sender.value},
+                                     {"view_hash", hex(route.view_hash)},
+                                     {"length_m", route.length_m},
+                                     {"time_s", route.time_s}});
+}
+
+void CoordinatorProcess::handle(const Malformed& malformed) {
+  if (log_) log_->append(now_ns(), "refused", {{"reason", malformed.reason}});
+  report_("refused", {{"reason", fmt::format("{}: {}", malformed.topic, malformed.reason)}});
+}
+
+void CoordinatorProcess::end_mission(Command command, const std::string& reason) {
+  bus_.publish(ControlMessage{digest(mission_), command, reason});
+  const TimeNs farewell = now_ns() + farewell_ns;
+  while (bus_.matched_agents() > 0 && now_ns() < farewell && !stop_requested()) bus_.wait(20ms);
+  if (log_) log_->append(now_ns(), "end", {{"reason", reason}});
+  report_traffic();
+}
+
+void CoordinatorProcess::report_traffic() {
+  const TrafficCounters traffic = bus_.counters();
+  report_("traffic", {{"sent", traffic.sent},
+                      {"received", traffic.received},
+                      {"dropped", traffic.dropped},
+                      {"bytes", traffic.bytes_sent}});
+}
+
+}  // namespace arcbid

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "coordinator/progress.hpp"
+#include "core/io/config.hpp"
+#include "core/io/process/process.hpp"
+#include "core/io/run/run_log.hpp"
+#include "idl/bus.hpp"
+
+namespace arcbid {
+
+struct CoordinatorOptions {
+  Config config;
+  std::uint32_t domain = 0;
+  std::optional<std::filesystem::path> run;  ///< run directory; none: no files are written
+  TimeNs epoch_ns = 0;                       ///< launch, on the monotonic clock
+  bool json_events = false;
+};
+
+/// Publishes the mission, repeats it to whoever lacks it, and ends it when every living agent has proven agreement
+/// and published its route. It takes no part in the auction: agents finish without it.
+class CoordinatorProcess {
+ public:
+  explicit CoordinatorProcess(CoordinatorOptions options);
+  Exit run();
+
+ private:
+  void handle(const StatusMessage& status);
+  void handle(const RouteMessage& route);
+  void handle(const Malformed& malformed);
+  template <class Message>
+  void handle(const Message&) {}  // the auction itself is the agents' business
+
+  void publish_mission();
+  void publish_again_if_wanted();
+  void end_mission(Command command, const std::string& reason);
+  void report_traffic();
+  TimeNs now_ns() const { return monotonic_ns() - options_.epoch_ns; }
+
+  CoordinatorOptions options_;
+  Reporter report_;
+  std::optional<RunLog> log_;
+  Bus bus_;
+  Mission mission_;
+  std::optional<Progress> progress_;
+  TimeNs published_ns_ = 0;
+};
+
+}  // namespace arcbid

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "coordinator/progress.hpp"
+
+namespace arcbid {
+
+Progress::Progress(const Mission& mission) {
+  for (const Uav& uav : mission.fleet) roster_.push_back(uav.id);
+}
+
+void Progress::heard(const StatusMessage& status) {
+  if (status.phase == Phase::waiting_for_mission) {
+    mission_wanted_ = true;
+    return;
+  }
+  const auto known = status_.find(status.header.sender);
+  const auto stamp = [](const Header& h) { return std::pair(h.incarnation, h.sequence); };
+  if (known != status_.end() && stamp(status.header) <= stamp(known->second.header)) return;
+  status_[status.header.sender] = status;
+}
+
+void Progress::heard(const RouteMessage& route) { routed_[route.header.sender] = route.view_hash; }
+
+bool Progress::complete_under(const StatusMessage& witness) const {
+  if (witness.phase != Phase::routed || witness.view.size() != roster_.size()) return false;
+  for (std::size_t k = 0; k < roster_.size(); ++k) {
+    if (witness.view[k].dead) continue;
+    const auto status = status_.find(roster_[k]);
+    const auto route = routed_.find(roster_[k]);
+    if (status == status_.end() || route == routed_.end()) return false;
+    if (status->second.phase != Phase::routed || status->second.view_hash != witness.view_hash ||
+        route->second != witness.view_hash)
+      return false;
+  }
+  return true;
+}
+
+std::optional<std::uint64_t> Progress::complete() const {
+  for (const auto& [agent, status] : status_)
+    if (complete_under(status)) return status.view_hash;
+  return std::nullopt;
+}
+
+}  // namespace arcbid

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "core/arcs/mission.hpp"
+#include "core/auction/message.hpp"
+
+namespace arcbid {
+
+/// How far the fleet is, from what the agents say of themselves. Pure bookkeeping.
+class Progress {
+ public:
+  explicit Progress(const Mission& mission);
+
+  void heard(const StatusMessage& status);
+  void heard(const RouteMessage& route);
+
+  /// The view hash under which every living member has proven agreement and published its route; none: not yet.
+  std::optional<std::uint64_t> complete() const;
+  /// Somebody still waits for the mission.
+  bool mission_wanted() const { return mission_wanted_; }
+  void mission_sent() { mission_wanted_ = false; }
+
+ private:
+  bool complete_under(const StatusMessage& witness) const;
+
+  std::vector<AgentId> roster_;
+  std::map<AgentId, StatusMessage> status_;
+  std::map<AgentId, std::uint64_t> routed_;  // the view hash of its newest route
+  bool mission_wanted_ = false;
+};
+
+}  // namespace arcbid

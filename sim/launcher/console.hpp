@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "sim/launcher/monitor.hpp"
+
+namespace arcbid {
+
+/// Progress for people: a line for everything that matters, and on a terminal a last line that is
+/// written over while rounds go by.
+class Console {
+ public:
+  Console();
+  void line(double time_s, const std::string& text);
+  void progress(double time_s, const Monitor& monitor);
+
+ private:
+  void wipe();
+  bool terminal_;
+  bool dirty_ = false;  // a passing line is on screen
+  std::size_t up_ = 0, started_ = 0, agreed_ = 0, routed_ = 0, warnings_ = 0;
+  bool published_ = false;
+};
+
+}  // namespace arcbid

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/launcher/monitor.hpp"
+
+#include <algorithm>
+
+namespace arcbid {
+
+using nlohmann::json;
+
+Monitor::Monitor(const std::vector<AgentId>& fleet) {
+  for (const AgentId agent : fleet) agents_[agent.value];
+}
+
+void Monitor::heard(std::uint32_t id, const json& event) {
+  const std::string kind = event.value("event", "");
+  if (kind == "traffic") {
+    traffic_[id] = {event.at("sent"), event.at("received"), event.at("dropped"), event.at("bytes")};
+    return;
+  }
+  if (kind == "warning") {
+    const std::string text = event.at("text");
+    if (std::find(warnings_.begin(), warnings_.end(), text) == warnings_.end())
+      warnings_.push_back(text);
+  } else if (kind == "published") {
+    arcs_ = event.at("arcs").get<std::size_t>();
+    metres_ = event.at("metres");
+    published_s_ = event.at("time_s");
+  } else if (kind == "complete") {
+    complete_ = true;
+  }
+  const auto found = agents_.find(id);
+  if (found == agents_.end()) return;
+  AgentProgress& agent = found->second;
+  if (kind == "up") {
+    agent.up = true;
+  } else if (kind == "mission") {
+    agent.has_mission = true;
+    tasks_ = event.at("tasks");
+  } else if (kind == "started") {
+    agent.started = true;
+  } else if (kind == "round") {
+    agent.round = event.at("round");
+  } else if (kind == "reopened") {
+    agent.agreed_hash.clear();
+  } else if (kind == "died") {
+    for (const json& dead : event.at("agents")) died_.insert(dead.get<std::uint32_t>());
+  } else if (kind == "returned") {
+    for (const json& back : event.at("agents")) died_.erase(back.get<std::uint32_t>());
+  } else if (kind == "agreed") {
+    agent.agreed_hash = event.at("view_hash");
+    agent.agreed_s = event.at("time_s");
+    agent.round = event.at("round");
+  } else if (kind == "routed") {
+    agent.routed_hash = event.at("view_hash");
+    agent.members = event.at("members").get<std::set<std::uint32_t>>();
+    agent.pieces = event.at("pieces");
+    agent.length_m = event.at("length_m");
+    agent.time_s = event.at("time_s");
+  }
+}
+
+void Monitor::ended(std::uint32_t id) {
+  if (const auto agent = agents_.find(id); agent != agents_.end()) agent->second.gone = true;
+}
+
+std::optional<Monitor::Outcome> Monitor::outcome() const {
+  for (const auto& [id, witness] : agents_) {
+    if (witness.routed_hash.empty() || witness.routed_hash != witness.agreed_hash) continue;
+    Outcome outcome{witness.routed_hash, witness.members, 0, 0};
+    const bool all = std::all_of(
+        witness.members.begin(), witness.members.end(), [&](std::uint32_t member) {
+          const AgentProgress& agent = agents_.at(member);
+          outcome.rounds = std::max(outcome.rounds, agent.round);
+          outcome.agreed_s = std::max(outcome.agreed_s, agent.agreed_s);
+          return agent.routed_hash == witness.routed_hash &&
+                 agent.agreed_hash == witness.routed_hash;
+        });
+    if (all) return outcome;
+  }
+  return std::nullopt;
+}
+
+Traffic Monitor::traffic() const {
+  Traffic sum;
+  for (const auto& [id, t] : traffic_) {
+    sum.sent += t.sent;
+    sum.received += t.received;
+    sum.dropped += t.dropped;
+    sum.bytes += t.bytes;
+  }
+  return sum;
+}
+
+}  // namespace arcbid

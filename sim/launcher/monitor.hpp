@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/base/ids.hpp"
+
+namespace arcbid {
+
+/// What the launcher knows of one agent, from the events that its process reports.
+struct AgentProgress {
+  bool up = false, has_mission = false, started = false;
+  std::uint32_t round = 0;
+  std::string agreed_hash;   ///< empty: no agreement, or it was reopened
+  double agreed_s = 0;       ///< since launch
+  std::string routed_hash;   ///< the agreement its newest route is for
+  std::set<std::uint32_t> members;
+  std::size_t pieces = 0;
+  double length_m = 0, time_s = 0;
+  bool gone = false;         ///< its process has ended
+};
+
+struct Traffic {
+  std::uint64_t sent = 0, received = 0, dropped = 0, bytes = 0;
+};
+
+/// Where the whole run stands. Fed with the processes' events; free of processes, clocks and files.
+class Monitor {
+ public:
+  explicit Monitor(const std::vector<AgentId>& fleet);
+
+  /// An event of agent `id` (0: the coordinator). Unknown events are ignored.
+  void heard(std::uint32_t id, const nlohmann::json& event);
+  void ended(std::uint32_t id);
+
+  /// The agreement under which every living member has published its route, and its members.
+  struct Outcome {
+    std::string view_hash;
+    std::set<std::uint32_t> members;
+    std::uint32_t rounds = 0;
+    double agreed_s = 0;  ///< when the last member had its proof, since launch
+  };
+  std::optional<Outcome> outcome() const;
+
+  const std::map<std::uint32_t, AgentProgress>& agents() const { return agents_; }
+  Traffic traffic() const;
+  std::optional<std::size_t> arcs() const { return arcs_; }  ///< once published
+  double metres() const { return metres_; }
+  double published_s() const { return published_s_; }
+  std::size_t tasks() const { return tasks_; }
+  bool complete() const { return complete_; }      ///< the coordinator said so
+  const std::set<std::uint32_t>& died() const { return died_; }  ///< declared dead by an agent
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
+ private:
+  std::map<std::uint32_t, AgentProgress> agents_;
+  std::map<std::uint32_t, Traffic> traffic_;
+  std::optional<std::size_t> arcs_;
+  double metres_ = 0, published_s_ = 0;
+  std::size_t tasks_ = 0;
+  bool complete_ = false;
+  std::set<std::uint32_t> died_;
+  std::vector<std::string> warnings_;
+};
+
+}  // namespace arcbid

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/launcher/result.hpp"
+
+#include <fmt/format.h>
+
+namespace arcbid {
+
+using nlohmann::json;
+
+json result_json(const CheckReport& report, const Monitor& monitor,
+                 const std::vector<ProcessEnd>& processes, double run_s) {
+  const auto outcome = monitor.outcome();
+  const Traffic traffic = monitor.traffic();
+  json out{{"schema", 1},
+           {"agents", report.agents},
+           {"fleet", monitor.agents().size()},
+           {"arcs", report.arcs},
+           {"tasks", report.tasks},
+           {"agreement",
+            {{"reached", outcome.has_value()},
+             {"time_s", outcome ? outcome->agreed_s : 0.0},
+             {"rounds", outcome ? outcome->rounds : 0u}}},
+           {"checks",
+            {{"conflict_free", report.conflict_free},
+             {"complete", report.complete},
+             {"arcs_conserved", report.arcs_conserved},
+             {"routes_valid", report.routes_valid}}},
+           {"makespan_s", report.makespan_s},
+           {"total_length_m", report.total_length_m},
+           {"uniformity", {{"count", report.uniformity_count}, {"time", report.uniformity_time}}},
+           {"messages",
+            {{"sent", traffic.sent},
+             {"received", traffic.received},
+             {"dropped", traffic.dropped},
+             {"bytes", traffic.bytes}}},
+           {"run_s", run_s},
+           {"problems", report.problems},
+           {"warnings", monitor.warnings()}};
+  out["per_agent"] = json::array();
+  for (const AgentFigures& figures : report.per_agent)
+    out["per_agent"].push_back({{"agent", figures.agent},
+                                {"arcs", figures.arcs},
+                                {"tasks", figures.tasks},
+                                {"length_m", figures.length_m},
+                                {"time_s", figures.time_s}});
+  out["processes"] = json::array();
+  for (const ProcessEnd& process : processes)
+    out["processes"].push_back(
+        {{"name", process.name},
+         {"pid", process.pid},
+         {"exit_code", process.exit_code ? json(*process.exit_code) : json(nullptr)},
+         {"signal", process.signal ? json(*process.signal) : json(nullptr)}});
+  return out;
+}
+
+std::string result_table(const json& r) {
+  std::string text = fmt::format("\n{:>8} {:>7} {:>7} {:>11} {:>11}\n", "agent", "arcs", "tasks",
+                                 "metres", "seconds");
+  for (const json& a : r["per_agent"])
+    text += fmt::format("{:>8} {:>7} {:>7} {:>11.1f} {:>11.1f}\n", a["agent"].get<int>(),
+                        a["arcs"].get<int>(), a["tasks"].get<int>(), a["length_m"].get<double>(),
+                        a["time_s"].get<double>());
+  const json &agreement = r["agreement"], &messages = r["messages"], &checks = r["checks"];
+  const auto row = [&text](std::string_view name, const std::string& value) {
+    text += fmt::format("{:<20}{}\n", name, value);
+  };
+  text += '\n';
+  row("makespan", fmt::format("{:.1f} s", r["makespan_s"].get<double>()));
+  row("total length", fmt::format("{:.1f} m", r["total_length_m"].get<double>()));
+  row("uniformity E", fmt::format("{:.4f} on tasks, {:.4g} on flight time",
+                                  r["uniformity"]["count"].get<double>(),
+                                  r["uniformity"]["time"].get<double>()));
+  row("agreement", agreement["reached"].get<bool>()
+                       ? fmt::format("proven {:.2f} s after launch, {} rounds",
+                                     agreement["time_s"].get<double>(),
+                                     agreement["rounds"].get<int>())
+                       : "not reached");
+  row("messages", fmt::format("{} sent ({} kB), {} received, {} dropped",
+                              messages["sent"].get<std::uint64_t>(),
+                              messages["bytes"].get<std::uint64_t>() / 1000,
+                              messages["received"].get<std::uint64_t>(),
+                              messages["dropped"].get<std::uint64_t>()));
+  std::string verdict;
+  for (const auto& [name, holds] : checks.items())
+    verdict += fmt::format("{}{} {}", verdict.empty() ? "" : ", ", name,
+                           holds.get<bool>() ? "yes" : "NO");
+  row("checked", verdict);
+  return text;
+}
+
+}  // namespace arcbid

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <ctime>
+
+#include "core/io/process/command_line.hpp"
+#include "sim/checker/checker.hpp"
+#include "sim/launcher/launch.hpp"
+#include "sim/picture/picture.hpp"
+
+namespace {
+
+using namespace arcbid;
+
+struct RunArguments {
+  std::string config, structure, unit, up, out;
+  std::optional<std::uint32_t> agents;
+  bool print_config = false;
+};
+
+Config configured(const RunArguments& arguments) {
+  Config config = load_config(arguments.config);
+  if (!arguments.structure.empty())
+    config.structure.file = std::filesystem::absolute(arguments.structure);
+  if (!arguments.unit.empty()) config.structure.unit = arguments.unit;
+  if (!arguments.up.empty()) config.structure.up = arguments.up.front();
+  if (arguments.agents) {
+    config.fleet.agents = *arguments.agents;
+    config.fleet.uavs.clear();
+  }
+  validate(config);
+  return config;
+}
+
+/// runs/NAME-20260131-142501-4711: distinct even when two runs begin in one second.
+std::filesystem::path new_run_directory(const std::string& name) {
+  const std::time_t now = std::time(nullptr);
+  char stamp[32];
+  std::strftime(stamp, sizeof stamp, "%Y%m%d-%H%M%S", std::localtime(&now));
+  return std::filesystem::path("runs") / fmt::format("{}-{}-{}", name, stamp, getpid());
+}
+
+Exit run(const RunArguments& arguments) {
+  const Config config = configured(arguments);
+  if (arguments.print_config) {
+    fmt::print("{}", to_yaml(config));
+    return Exit::done;
+  }
+  const std::filesystem::path out =
+      arguments.out.empty() ? new_run_directory(config.name) : std::filesystem::path(arguments.out);
+  const auto self = std::filesystem::read_symlink("/proc/self/exe");
+  return launch({config, std::filesystem::absolute(out), self.parent_path()});
+}
+
+Exit check_again(const std::string& directory) {
+  const CheckReport report = check_run(directory);
+  fmt::print("{}\n", to_json(report));
+  return report.ok() ? Exit::done : Exit::check_failed;
+}
+
+CLI::App* add_run(CLI::App& app, RunArguments& arguments) {
+  CLI::App* run = app.add_subcommand(
+      "run", "launch a coordinator and one process per agent on this machine, until every arc is "
+             "allocated and every route is checked");
+  run->add_option("config", arguments.config, "YAML file, e.g. configs/demo.yaml; docs/CONFIG.md has every key")
+      ->required();
+  run->add_option("--agents", arguments.agents, "fleet size instead of the config's")
+      ->check(CLI::Range(1, 64));
+  run->add_option("--structure", arguments.structure,
+                  "point cloud or mesh instead of the config's: pcd, ply, obj, stl, las, xyz");
+  run->add_option("--unit", arguments.unit, "unit of that file: m, cm, mm, ft, us-ft, in");
+  run->add_option("--up", arguments.up, "axis that points up in that file: x, y, z");
+  run->add_option("--out", arguments.out, "run directory (default: a new one under runs/)");
+  run->add_flag("--print-config", arguments.print_config, "print the config as it would run, and stop");
+  return run;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  stop_on_signals();
+  CLI::App app{"arcbid: inspection drones that divide a structure's arcs by auction, without a leader.\n"
+               "Exit codes: 0 done and checked, 1 the run failed or its check did, 2 bad input.",
+               "arcbid"};
+  app.set_version_flag("--version", ARCBID_VERSION);
+  app.require_subcommand(1);
+  RunArguments arguments;
+  const CLI::App* run_command = add_run(app, arguments);
+  std::string directory;
+  CLI::App* check_command =
+      app.add_subcommand("check", "check a run directory again with the independent checker");
+  check_command->add_option("run", directory, "run directory")->required();
+  CLI::App* picture_command =
+      app.add_subcommand("picture", "draw a run's routes as an SVG file on standard output");
+  picture_command->add_option("run", directory, "run directory")->required();
+  CLI::App* reference_command =
+      app.add_subcommand("config-reference", "print every key of a config, its range and default");
+  return run_command_line(app, argc, argv, [&] {
+    if (run_command->parsed()) return run(arguments);
+    if (check_command->parsed()) return check_again(directory);
+    if (picture_command->parsed()) fmt::print("{}", draw_routes(directory));
+    if (reference_command->parsed()) fmt::print("{}", config_reference());
+    return Exit::done;
+  });
+}

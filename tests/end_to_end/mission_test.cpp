@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The main job, as a user starts it: real processes, real DDS.
+#include <gtest/gtest.h>
+#include <sqlite3.h>
+
+#include "tests/end_to_end/launched.hpp"
+
+namespace arcbid::testing {
+namespace {
+
+TEST(Mission, DemoIsAllocatedProvenFlownAndChecked) {
+  const Scratch scratch;
+  const auto before = shared_memory();
+  Launched run({"run", demo_config(), "--out", (scratch / "run").string()});
+  ASSERT_EQ(run.wait_for_end(60), 0) << run.output();
+
+  const auto result = read_json(scratch / "run/result.json");
+  expect_checked(result, 4);
+  for (const char* number : {"arcs", "tasks", "makespan_s", "total_length_m"})
+    EXPECT_GT(result[number].get<double>(), 0) << number;
+  EXPECT_GT(result["agreement"]["time_s"].get<double>(), 0);
+  EXPECT_GE(result["agreement"]["rounds"].get<int>(), 1);
+  for (const char* number : {"count", "time"}) {
+    EXPECT_GT(result["uniformity"][number].get<double>(), 0) << number;
+    EXPECT_LE(result["uniformity"][number].get<double>(), 1) << number;
+  }
+  for (const char* number : {"sent", "received", "bytes"})
+    EXPECT_GT(result["messages"][number].get<std::uint64_t>(), 0u) << number;
+  EXPECT_TRUE(result["messages"]["dropped"].is_number());
+
+  EXPECT_TRUE(all_gone(processes_of(scratch / "run"), 0)) << "processes were left behind";
+  EXPECT_EQ(shared_memory(), before) << "shared memory was left behind";
+  for (const char* shown : {"makespan", "uniformity E", "agreement", "messages", "checked"})
+    EXPECT_NE(run.output().find(shown), std::string::npos) << shown;
+}
+
+TEST(Mission, EveryProcessLeavesALogOfWhatItReceivedDecidedAndSent) {
+  const Scratch scratch;
+  Launched run({"run", demo_config(), "--agents", "2", "--out", (scratch / "run").string()});
+  ASSERT_EQ(run.wait_for_end(60), 0) << run.output();
+  int agents = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(scratch / "run/logs")) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with("agent_") || entry.path().extension() != ".sqlite") continue;
+    ++agents;
+    sqlite3* db = nullptr;
+    ASSERT_EQ(sqlite3_open_v2(entry.path().c_str(), &db, SQLITE_OPEN_READONLY, nullptr), SQLITE_OK);
+    for (const char* kind :
+         {"mission", "bid", "status", "decision", "sent_bid", "sent_status", "agreed", "end"}) {
+      sqlite3_stmt* statement = nullptr;
+      sqlite3_prepare_v2(db, "SELECT count(*) FROM events WHERE kind = ?", -1, &statement, nullptr);
+      sqlite3_bind_text(statement, 1, kind, -1, SQLITE_STATIC);
+      ASSERT_EQ(sqlite3_step(statement), SQLITE_ROW);
+      EXPECT_GT(sqlite3_column_int(statement, 0), 0) << name << ": " << kind;
+      sqlite3_finalize(statement);
+    }
+    sqlite3_close(db);
+  }
+  EXPECT_EQ(agents, 2);
+}
+
+TEST(Mission, PublishedCbbaDoesTheSameJob) {
+  const Scratch scratch;
+  const std::string config = std::string(ARCBID_SOURCE_DIR) + "/configs/cbba.yaml";
+  Launched run({"run", config, "--out", (scratch / "run").string()});
+  ASSERT_EQ(run.wait_for_end(90), 0) << run.output();
+  expect_checked(read_json(scratch / "run/result.json"), 4);
+}
+
+TEST(Mission, OneAgentNeedsNobody) {
+  const Scratch scratch;
+  Launched run({"run", demo_config(), "--agents", "1", "--out", (scratch / "run").string()});
+  ASSERT_EQ(run.wait_for_end(60), 0) << run.output();
+  expect_checked(read_json(scratch / "run/result.json"), 1);
+}
+
+TEST(Mission, TwoRunsAtOnceDoNotMeet) {
+  const Scratch scratch;
+  Launched first({"run", demo_config(), "--agents", "3", "--out", (scratch / "first").string()});
+  Launched second({"run", demo_config(), "--agents", "2", "--out", (scratch / "second").string()});
+  ASSERT_EQ(first.wait_for_end(90), 0) << first.output();
+  ASSERT_EQ(second.wait_for_end(90), 0) << second.output();
+  expect_checked(read_json(scratch / "first/result.json"), 3);
+  expect_checked(read_json(scratch / "second/result.json"), 2);
+  EXPECT_EQ(first.output().find("refused"), std::string::npos);
+}
+
+TEST(Mission, TheCheckerCanBeRunAgainAndSeesDamage) {
+  const Scratch scratch;
+  Launched run({"run", demo_config(), "--agents", "2", "--out", (scratch / "run").string()});
+  ASSERT_EQ(run.wait_for_end(60), 0) << run.output();
+  EXPECT_EQ(Launched({"check", (scratch / "run").string()}).wait_for_end(20), 0);
+  std::filesystem::remove(scratch / "run/routes/agent_2.json");
+  EXPECT_EQ(Launched({"check", (scratch / "run").string()}).wait_for_end(20), 1);
+}
+
+}  // namespace
+}  // namespace arcbid::testing
