@@ -1,22 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/structure/clearance.hpp"
 
+#include <pcl/kdtree/kdtree_flann.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
 #include <algorithm>
-#include <boost/geometry.hpp>
-#include <boost/geometry/index/rtree.hpp>
 
 #include "core/base/error.hpp"
 
 namespace arcbid {
 
 namespace {
-
-namespace bg = boost::geometry;
-using Point = bg::model::point<double, 3, bg::cs::cartesian>;
-
-Point to_point(const Vec3& p) {
-  return {p.x(), p.y(), p.z()};
-}
 
 // Between two places of a segment this far apart that keep a distance r, the segment keeps
 // r - kLeastStep_m / 2, for a distance is 1-Lipschitz.
@@ -25,25 +20,37 @@ constexpr int kMostPushes = 16;
 
 }  // namespace
 
+/// PCL's points are floats: they are kept relative to the first one, where a float is good to a
+/// tenth of a millimetre at a kilometre, and only tell which point is nearest.
 struct Clearance::Index {
-  bg::index::rtree<Point, bg::index::linear<16>> tree;
+  std::vector<Vec3> points;
+  pcl::KdTreeFLANN<pcl::PointXYZ> tree;
+
+  pcl::PointXYZ local(const Vec3& p) const {
+    const Eigen::Vector3f q = (p - points.front()).cast<float>();
+    return {q.x(), q.y(), q.z()};
+  }
 };
 
 Clearance::Clearance(const std::vector<Vec3>& points, double required_m, double floor_m)
     : required_m_(required_m + kLeastStep_m / 2), floor_m_(floor_m) {
   check(!points.empty(), "clearance from at least one point");
-  std::vector<Point> converted;
-  converted.reserve(points.size());
-  for (const Vec3& p : points) converted.push_back(to_point(p));
-  index_ = std::make_unique<const Index>(Index{decltype(Index::tree)(converted)});
+  auto index = std::make_unique<Index>();
+  index->points = points;
+  const auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+  cloud->reserve(points.size());
+  for (const Vec3& p : points) cloud->push_back(index->local(p));
+  index->tree.setInputCloud(cloud);
+  index_ = std::move(index);
 }
 
 Clearance::~Clearance() = default;
 
 Vec3 Clearance::nearest(const Vec3& p) const {
-  Point found;
-  index_->tree.query(bg::index::nearest(to_point(p), 1), &found);
-  return {found.get<0>(), found.get<1>(), found.get<2>()};
+  pcl::Indices found(1);
+  std::vector<float> squared_m2(1);
+  index_->tree.nearestKSearch(index_->local(p), 1, found, squared_m2);
+  return index_->points[static_cast<std::size_t>(found.front())];
 }
 
 bool Clearance::clears(const Vec3& from, const Vec3& to) const {
