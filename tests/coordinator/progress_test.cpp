@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "coordinator/progress.hpp"
+
+#include <gtest/gtest.h>
+
+namespace arcbid {
+namespace {
+
+Mission two_agents() {
+  Mission mission;
+  mission.fleet = {{{1}, Vec3::Zero(), 1}, {{2}, Vec3::Zero(), 1}};
+  return mission;
+}
+
+StatusMessage status(std::uint32_t agent, Phase phase, std::uint64_t hash, bool second_is_dead = false) {
+  StatusMessage message;
+  message.header = {{agent}, 1000, 5, 1, 1};
+  message.phase = phase;
+  message.view_hash = hash;
+  message.view = {{1000, false, 1}, {1000, second_is_dead, 1}};
+  return message;
+}
+
+RouteMessage route(std::uint32_t agent, std::uint64_t hash) {
+  RouteMessage message;
+  message.header.sender = {agent};
+  message.view_hash = hash;
+  return message;
+}
+
+TEST(Progress, IsCompleteWhenEveryLivingMemberIsRoutedUnderOneView) {
+  Progress progress(two_agents());
+  progress.heard(status(1, Phase::routed, 7));
+  progress.heard(route(1, 7));
+  progress.heard(status(2, Phase::agreed, 7));
+  EXPECT_FALSE(progress.complete()) << "agent 2 has no route yet";
+  progress.heard(route(2, 7));
+  StatusMessage later = status(2, Phase::routed, 7);
+  later.header.sequence = 6;
+  progress.heard(later);
+  EXPECT_EQ(progress.complete(), 7u);
+}
+
+TEST(Progress, WantsTheRouteOfThisAgreementNotOfAnEarlierOne) {
+  Progress progress(two_agents());
+  for (const std::uint32_t agent : {1u, 2u}) {
+    progress.heard(status(agent, Phase::routed, 8));
+    progress.heard(route(agent, agent == 1 ? 8 : 7));
+  }
+  EXPECT_FALSE(progress.complete());
+}
+
+TEST(Progress, DoesNotWaitForTheDead) {
+  Progress progress(two_agents());
+  progress.heard(status(1, Phase::routed, 9, true));
+  progress.heard(route(1, 9));
+  EXPECT_EQ(progress.complete(), 9u);
+}
+
+TEST(Progress, IgnoresAnOlderStatusThatComesLate) {
+  Progress progress(two_agents());
+  StatusMessage reopened = status(1, Phase::auction, 0, true);
+  reopened.header.sequence = 9;
+  progress.heard(route(1, 9));
+  progress.heard(reopened);
+  progress.heard(status(1, Phase::routed, 9, true));
+  EXPECT_FALSE(progress.complete());
+}
+
+TEST(Progress, KnowsWhenSomebodyLacksTheMission) {
+  Progress progress(two_agents());
+  EXPECT_FALSE(progress.mission_wanted());
+  progress.heard(status(2, Phase::waiting_for_mission, 0));
+  EXPECT_TRUE(progress.mission_wanted());
+  progress.mission_sent();
+  EXPECT_FALSE(progress.mission_wanted());
+}
+
+}  // namespace
+}  // namespace arcbid

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include "core/io/mission/mission_plan.hpp"
+
+namespace arcbid {
+namespace {
+
+TEST(PlaceFleet, SpreadsUavsAlongTheLongerSideOnTheGround) {
+  const FleetConfig fleet{.agents = 4, .speed_mps = 2, .uavs = {}};
+  const auto uavs = place_fleet(fleet, {-10, -40, 1}, {10, 40, 30}, 8);
+  ASSERT_EQ(uavs.size(), 4u);
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(uavs[i].id.value, i + 1);
+    EXPECT_EQ(uavs[i].home_m, Vec3(-18, -30 + 20.0 * i, 1));
+    EXPECT_EQ(uavs[i].speed_mps, 2);
+  }
+}
+
+TEST(PlaceFleet, KeepsHomesThatWereGiven) {
+  const FleetConfig fleet{.agents = 2, .speed_mps = 1, .uavs = {{{7}, {1, 2, 3}, 4}, {{3}, {5, 6, 7}, 8}}};
+  const auto uavs = place_fleet(fleet, {0, 0, 0}, {9, 9, 9}, 5);
+  ASSERT_EQ(uavs.size(), 2u);
+  EXPECT_EQ(uavs[0].id.value, 3u);
+  EXPECT_EQ(uavs[1].home_m, Vec3(1, 2, 3));
+}
+
+TEST(PlanMission, IsTheSameBitForBitWhenMadeAgain) {
+  const Config config;
+  EXPECT_EQ(digest(plan_mission(config, 5).mission), digest(plan_mission(config, 5).mission));
+  EXPECT_NE(digest(plan_mission(config, 5).mission), digest(plan_mission(config, 6).mission));
+}
+
+TEST(PlanMission, NumbersArcsAndFleetAsTheAuctionExpects) {
+  const Mission mission = plan_mission(Config{}, 1).mission;
+  ASSERT_FALSE(mission.arcs.empty());
+  for (std::uint32_t m = 0; m < mission.arcs.size(); ++m) EXPECT_EQ(mission.arcs[m].id.value, m);
+  for (std::size_t i = 1; i < mission.fleet.size(); ++i)
+    EXPECT_LT(mission.fleet[i - 1].id, mission.fleet[i].id);
+}
+
+}  // namespace
+}  // namespace arcbid
