@@ -10,9 +10,8 @@
 namespace arcbid {
 namespace {
 
-constexpr TimeNs resend_ticks = 4;       // own statements, until everybody confirmed them
-constexpr TimeNs patience_ticks = 8;     // before somebody else's statement is relayed
-constexpr TimeNs heartbeats_a_lease = 8;
+constexpr TimeNs resend_ticks = 4;    // own statements, until everybody confirmed them
+constexpr TimeNs patience_ticks = 8;  // before somebody else's statement is relayed
 
 std::vector<AgentId> roster_of(const Mission& mission) {
   std::vector<AgentId> roster;
@@ -65,7 +64,6 @@ Update Agent::step(const Event& event) {
   std::visit([&](const auto& what) { handle(what, update); }, event.what);
   if (phase_ == Phase::waiting_for_peers) start_if_everybody_is_here(update);
   if (phase_ != Phase::waiting_for_peers) {
-    bury_the_silent(update);
     if (undecided_ && now_ns_ - decided_ns_ >= mission_->auction.tick_ns) decide(update);
     prove(update);
   }
@@ -74,9 +72,12 @@ Update Agent::step(const Event& event) {
   return update;
 }
 
-void Agent::handle(const Tick& tick, Update&) {
+/// Only a tick may find somebody silent: it comes when all that has arrived was heard, so that
+/// after a pause of its own an agent does not bury those whose heartbeats wait in the queue.
+void Agent::handle(const Tick& tick, Update& update) {
   if (tick.matched_peers != matched_peers_) status_is_news_ = true;
   matched_peers_ = tick.matched_peers;
+  if (phase_ != Phase::waiting_for_peers) bury_the_silent(update);
 }
 
 void Agent::handle(const BidMessage& bid, Update& update) {
@@ -101,10 +102,12 @@ void Agent::handle(const StatusMessage& status, Update& update) {
   membership_.heard(*k, stamp, now_ns_);
   for (std::size_t m = 0; m < status.heartbeats.size(); ++m)
     if (m != me_) membership_.heard(m, status.heartbeats[m], now_ns_);
-  present_[*k] = status.phase > Phase::waiting_for_peers ||
-                 status.matched_peers + 1 >= view_.roster().size();
+  present_[*k] =
+      status.phase > Phase::waiting_for_peers || status.matched_peers + 1 >= view_.roster().size();
   auction_is_on_ = auction_is_on_ || status.phase > Phase::waiting_for_peers;
+  const std::uint64_t life = status.heartbeats[me_].incarnation;
   if (status.view[me_] > view_.key(me_)) refute(status.view[me_], update);
+  if (life > incarnation_) refute({.incarnation = life}, update);
   dissemination_.holds(*k, stamp, status.view);
   std::vector<bool> ready(view_.roster().size(), false);
   for (const AgentId agent : status.ready) ready[*view_.position(agent)] = true;
@@ -152,8 +155,8 @@ void Agent::view_changed(std::size_t member, Update& update) {
   }
 }
 
-/// Somebody holds something in this agent's name that it did not say in this life: an old life, or a
-/// tombstone. It begins a new life above that.
+/// Somebody holds something in this agent's name that it did not say in this life: an old life, or
+/// a tombstone. It begins a new life above that.
 void Agent::refute(const StatementKey& claimed, Update& update) {
   incarnation_ = std::max(claimed.incarnation + 1, incarnation_);
   if (!view_.heard(me_)) return;  // nothing stated yet: the first statement will say it
@@ -207,12 +210,12 @@ void Agent::decide(Update& update) {
   view_hash_ = view_.hash();
   if (decision.settled) readiness_.decided(view_hash_);
   status_is_news_ = true;
-  update.decision = DecisionMade{round_, decision.changed, view_.key(me_), policy_->statement(),
-                                 policy_->path()};
+  update.decision =
+      DecisionMade{round_, decision.changed, view_.key(me_), policy_->statement(), policy_->path()};
 }
 
 void Agent::prove(Update& update) {
-  if (phase_ != Phase::auction || !readiness_.ready()) return;
+  if (phase_ != Phase::auction || !readiness_.ready() || !policy_->agrees(view_)) return;
   Agreement agreement{view_hash_, round_, {}, {}, {}};
   for (std::size_t k = 0; k < view_.roster().size(); ++k) {
     if (view_.dead(k)) continue;
@@ -224,56 +227,6 @@ void Agent::prove(Update& update) {
   phase_ = Phase::agreed;
   status_is_news_ = true;
   update.agreed = std::move(agreement);
-}
-
-Header Agent::header() {
-  return {self_, incarnation_, ++sequence_, expected_.mission_digest, expected_.task_digest};
-}
-
-StatusMessage Agent::status() const {
-  StatusMessage status;
-  status.phase = phase_;
-  status.round = round_;
-  status.matched_peers = matched_peers_;
-  if (readiness_.ready()) {
-    status.view_hash = view_hash_;
-    for (std::size_t k = 0; k < view_.roster().size(); ++k)
-      if (readiness_.set()[k]) status.ready.push_back(view_.roster()[k]);
-  }
-  status.view = view_.keys();
-  status.heartbeats = membership_.heartbeats();
-  return status;
-}
-
-void Agent::send(Update& update) {
-  for (const std::size_t author : dissemination_.due(view_, now_ns_)) {
-    if (author == me_)
-      update.bids.push_back({header(), view_.of(author)});
-    else
-      update.relays.push_back({header(), view_.of(author)});
-  }
-  const AuctionSettings& auction = mission_->auction;
-  const TimeNs since = now_ns_ - status_sent_ns_;
-  const bool news = status_is_news_ && since >= auction.tick_ns;
-  if (!news && since < auction.lease_ns / heartbeats_a_lease) return;
-  StatusMessage message = status();
-  message.header = header();
-  message.heartbeats[me_] = {incarnation_, message.header.sequence};
-  update.statuses.push_back(std::move(message));
-  status_is_news_ = false;
-  status_sent_ns_ = now_ns_;
-}
-
-TimeNs Agent::next_wake() const {
-  const AuctionSettings& auction = mission_->auction;
-  TimeNs wake = status_sent_ns_ + auction.lease_ns / heartbeats_a_lease;
-  if (status_is_news_) wake = std::min(wake, status_sent_ns_ + auction.tick_ns);
-  if (phase_ == Phase::waiting_for_peers) return std::min(wake, born_ns_ + auction.barrier_ns);
-  for (std::size_t k = 0; k < view_.roster().size(); ++k)
-    if (!view_.dead(k)) wake = std::min(wake, membership_.deadline(k, auction.lease_ns));
-  if (undecided_) wake = std::min(wake, decided_ns_ + auction.tick_ns);
-  if (dissemination_.anyone_lacks(view_)) wake = std::min(wake, now_ns_ + auction.tick_ns);
-  return std::max(wake, now_ns_);
 }
 
 }  // namespace arcbid

@@ -40,18 +40,18 @@ struct Event {
 struct DecisionMade {
   std::uint32_t round = 0;
   bool changed = false;
-  StatementKey key;               ///< under which the result is stated
-  StatementBody body;             ///< the statement itself: b_i, or y_i and z_i
-  std::vector<PathStop> path;     ///< p_i
+  StatementKey key;            ///< under which the result is stated
+  StatementBody body;          ///< the statement itself: b_i, or y_i and z_i
+  std::vector<PathStop> path;  ///< p_i
 };
 
 /// Proof that every living member holds the same allocation and will not change it by itself.
 struct Agreement {
-  std::uint64_t view_hash = 0;     ///< H: the same for every member
-  std::uint32_t round = 0;         ///< decisions this agent made until then
-  std::vector<AgentId> members;    ///< the living
-  std::vector<Belief> winners;     ///< z and y, an entry for each task
-  std::vector<PathStop> path;      ///< p_i of this agent
+  std::uint64_t view_hash = 0;   ///< H: the same for every member
+  std::uint32_t round = 0;       ///< decisions this agent made until then
+  std::vector<AgentId> members;  ///< the living
+  std::vector<Belief> winners;   ///< z and y, an entry for each task
+  std::vector<PathStop> path;    ///< p_i of this agent
 };
 
 /// What the caller must carry out, in the order of the fields.
@@ -59,22 +59,23 @@ struct Update {
   std::vector<BidMessage> bids;         ///< send to all
   std::vector<RelayMessage> relays;     ///< send to all
   std::vector<StatusMessage> statuses;  ///< send to all
-  std::optional<std::string> refused;   ///< the event was a message that was refused: count and report
-  std::vector<AgentId> died;            ///< declared dead just now: their tasks are free again
-  std::vector<AgentId> returned;        ///< known as dead, now alive in a new life
+  std::optional<std::string>
+      refused;                    ///< the event was a message that was refused: count and report
+  std::vector<AgentId> died;      ///< declared dead just now: their tasks are free again
+  std::vector<AgentId> returned;  ///< known as dead, now alive in a new life
   std::optional<DecisionMade> decision;
-  bool started = false;                 ///< the start barrier was passed just now
-  bool agreement_lost = false;          ///< something outside changed: routes so far are void
-  std::optional<Agreement> agreed;      ///< proven just now: plan, publish, then say RoutePublished
-  TimeNs wake_ns = 0;                   ///< step with a Tick no later than this
+  bool started = false;             ///< the start barrier was passed just now
+  bool agreement_lost = false;      ///< something outside changed: routes so far are void
+  std::optional<Agreement> agreed;  ///< proven just now: plan, publish, then say RoutePublished
+  TimeNs wake_ns = 0;               ///< step with a Tick no later than this
 };
 
-/// One agent of the auction, as a pure state machine: events in, updates out, nothing else. The live
-/// process, a simulator, a replay and the tests run this same class.
+/// One agent of the auction, as a pure state machine: events in, updates out, nothing else. The
+/// live process, a simulator, a replay and the tests run this same class.
 class Agent {
  public:
-  /// `incarnation` must differ between lives of one agent and grow (a boot clock in ms, never 1).
-  /// `self` must be in the mission's fleet.
+  /// `incarnation` must differ between lives of one agent and grow (the wall clock in ms at birth,
+  /// never 1). `self` must be in the mission's fleet.
   Agent(AgentId self, std::uint64_t incarnation, std::shared_ptr<const Mission> mission,
         std::shared_ptr<const Transit> transit, TimeNs now_ns);
 
@@ -123,12 +124,12 @@ class Agent {
   TimeNs now_ns_;
   const TimeNs born_ns_;
   Phase phase_ = Phase::waiting_for_peers;
-  std::vector<bool> present_;  // members that passed, or stand at, the barrier
+  std::vector<bool> present_;   // members that passed, or stand at, the barrier
   bool auction_is_on_ = false;  // somebody started already
   std::uint32_t matched_peers_ = 0;
   std::uint64_t sequence_ = 0;
   std::uint32_t round_ = 0;
-  bool undecided_ = true;      // the view changed since the last decision
+  bool undecided_ = true;  // the view changed since the last decision
   TimeNs decided_ns_;
   std::uint64_t view_hash_ = 0;
   bool status_is_news_ = true;

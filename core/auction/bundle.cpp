@@ -23,7 +23,8 @@ bool Bundle::wins(TaskId j, double gain, const std::vector<Belief>& rivals) cons
   return beats(warped(gain), self_, rivals[j.value]);
 }
 
-/// In two passes, so that tasks whose gain is only bounded are priced exactly only when they may be the best.
+/// In two passes, so that tasks whose gain is only bounded are priced exactly only when they may be
+/// the best.
 Bundle::Choice Bundle::choose(std::vector<TaskId>& candidates, const std::vector<Belief>& rivals) {
   Choice choice;
   std::vector<std::pair<TaskId, double>> bounded;

@@ -31,8 +31,8 @@ class Bundle {
   /// Releases everything from bundle position `keep` on; the path keeps its order.
   void release_from(std::size_t keep);
 
-  const std::vector<Claim>& claims() const { return claims_; }              ///< in bundle order
-  const std::vector<PathStop>& path() const { return score_->path(); }      ///< in flying order
+  const std::vector<Claim>& claims() const { return claims_; }          ///< in bundle order
+  const std::vector<PathStop>& path() const { return score_->path(); }  ///< in flying order
 
  private:
   struct Choice {

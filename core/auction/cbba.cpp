@@ -15,7 +15,7 @@ Who role(const std::optional<AgentId>& winner, AgentId i, AgentId k) {
   return Who::m;
 }
 
-/// A statement's key as a number that grows with it: 41 bits of milliseconds, 22 of version.
+/// A statement's key as a number that grows with it: 42 bits of milliseconds, 22 of version.
 std::uint64_t timestamp(const StatementKey& key) {
   return (key.incarnation << 22) | key.version;
 }
@@ -62,9 +62,14 @@ void CbbaState::receive(std::size_t sender, const Table& table, std::uint64_t no
     Belief& ours = table_.beliefs[j];
     const Belief& theirs = table.beliefs[j];
     switch (rule(roster_[sender], theirs, ours, table.timestamps)) {
-      case Action::leave: break;
-      case Action::update: ours = theirs; break;
-      case Action::reset: ours = {}; break;
+      case Action::leave:
+        break;
+      case Action::update:
+        ours = theirs;
+        break;
+      case Action::reset:
+        ours = {};
+        break;
     }
   }
   for (std::size_t m = 0; m < roster_.size(); ++m)
@@ -87,8 +92,15 @@ void CbbaState::rebid() {
   }
   bundle_.release_from(kept);
   bundle_.extend(table_.beliefs);
-  for (const Claim& claim : bundle_.claims())
-    table_.beliefs[claim.task.value] = {self_, claim.bid};
+  for (const Claim& claim : bundle_.claims()) table_.beliefs[claim.task.value] = {self_, claim.bid};
+}
+
+bool CbbaPolicy::agrees(const View& view) const {
+  for (std::size_t k = 0; k < view.roster().size(); ++k) {
+    const auto* table = std::get_if<Table>(&view.of(k).body);
+    if (!view.dead(k) && table && table->beliefs != state_.table().beliefs) return false;
+  }
+  return true;
 }
 
 Decision CbbaPolicy::decide(const View& view) {

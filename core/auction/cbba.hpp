@@ -11,17 +11,19 @@
 
 namespace arcbid {
 
-/// The state of one agent under published CBBA (Choi, Brunet, How 2009): y_i, z_i, s_i and the bundle;
-/// and its two phases. Timestamps are any numbers that grow with news: rounds, times or versions.
+/// The state of one agent under published CBBA (Choi, Brunet, How 2009): y_i, z_i, s_i and the
+/// bundle; and its two phases. Timestamps are any numbers that grow with news: rounds, times or
+/// versions.
 class CbbaState {
  public:
   CbbaState(AgentId self, std::vector<AgentId> roster, Bundle bundle, std::size_t tasks);
 
-  /// Applies Table I to everything `sender` (roster position) believes, then brings s_i up to date: s_ik = `now`,
-  /// and for others the later of s_im and s_km.
+  /// Applies Table I to everything `sender` (roster position) believes, then brings s_i up to date:
+  /// s_ik = `now`, and for others the later of s_im and s_km.
   void receive(std::size_t sender, const Table& table, std::uint64_t now);
 
-  /// No winner may be one of these any more: Table I has no rule for death, so it is an explicit step.
+  /// No winner may be one of these any more: Table I has no rule for death, so it is an explicit
+  /// step.
   void forget(AgentId dead);
 
   /// Releases the first task that was lost and everything bundled after it, then bids again.
@@ -42,9 +44,9 @@ class CbbaState {
   Table table_;
 };
 
-/// Published CBBA on the newest statements of all: a decision is one synchronous round in which every
-/// living agent's newest table arrives, and it is settled when such a round changes nothing. Versions of
-/// statements serve as timestamps, so no clock is compared.
+/// Published CBBA on the newest statements of all: a decision is one synchronous round in which
+/// every living agent's newest table arrives, and it is settled when such a round changes nothing.
+/// Versions of statements serve as timestamps, so no clock is compared.
 class CbbaPolicy final : public Policy {
  public:
   explicit CbbaPolicy(CbbaState state) : state_(std::move(state)) {}
@@ -52,6 +54,7 @@ class CbbaPolicy final : public Policy {
   Decision decide(const View& view) override;
   StatementBody statement() const override { return state_.table(); }
   std::vector<Belief> winners(const View&) const override { return state_.table().beliefs; }
+  bool agrees(const View& view) const override;
   const std::vector<PathStop>& path() const override { return state_.bundle().path(); }
 
  private:

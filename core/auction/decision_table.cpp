@@ -9,17 +9,20 @@ namespace arcbid {
 
 std::string_view name(Action action) {
   switch (action) {
-    case Action::leave: return "leave";
-    case Action::update: return "update";
-    case Action::reset: return "reset";
+    case Action::leave:
+      return "leave";
+    case Action::update:
+      return "update";
+    case Action::reset:
+      return "reset";
   }
   return "?";
 }
 
 const Row& row(Who sender, Who receiver) {
-  const auto found = std::find_if(
-      decision_table.begin(), decision_table.end(),
-      [&](const Row& r) { return r.sender == sender && r.receiver == receiver; });
+  const auto found = std::find_if(decision_table.begin(), decision_table.end(), [&](const Row& r) {
+    return r.sender == sender && r.receiver == receiver;
+  });
   check(found != decision_table.end(), "every pair of beliefs has a row");
   return *found;
 }

@@ -7,8 +7,8 @@
 
 namespace arcbid {
 
-/// The consensus rules of CBBA (Choi, Brunet, How 2009, Table I) as data. Receiver i hears from sender
-/// k about one task; m and n are other agents, m the first of them in the row.
+/// The consensus rules of CBBA (Choi, Brunet, How 2009, Table I) as data. Receiver i hears from
+/// sender k about one task; m and n are other agents, m the first of them in the row.
 
 /// Whom an agent believes to be the winner.
 enum class Who : std::uint8_t { i, k, m, n, none };
@@ -43,8 +43,8 @@ struct Row {
   std::array<Clause, 3> clauses;
 };
 
-/// Row 12 has the >= of the MIT code (first clause): read strictly, the published table comes to rest
-/// in disagreement on one benchmark instance. docs/ARCHITECTURE.md says more.
+/// Row 12 has the >= of the MIT code (first clause): read strictly, the published table comes to
+/// rest in disagreement on one benchmark instance. docs/ARCHITECTURE.md says more.
 inline constexpr std::array<Row, 17> decision_table{{
     {1, Who::k, Who::i, {{{higher_bid, Action::update}}}},
     {2, Who::k, Who::k, {{{always, Action::update}}}},

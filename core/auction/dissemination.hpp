@@ -9,9 +9,10 @@
 
 namespace arcbid {
 
-/// When to say what again: anti-entropy over links that drop. Every status message carries the keys of
-/// the sender's view; whoever lacks a statement is served by its author at once, and, should that fail, by a
-/// relay after some patience (without it every holder relays at the same moment). Members are roster positions.
+/// When to say what again: anti-entropy over links that drop. Every status message carries the keys
+/// of the sender's view; whoever lacks a statement is served by its author at once, and, should
+/// that fail, by a relay after some patience (without it every holder relays at the same moment).
+/// Members are roster positions.
 class Dissemination {
  public:
   struct Timing {
@@ -20,8 +21,8 @@ class Dissemination {
   };
   Dissemination(std::size_t members, std::size_t self, Timing timing);
 
-  /// `member` holds `keys` (as of `sequence` of life `incarnation`): replaces what was known of it, never the
-  /// other way round, and never by a maximum, for a reborn agent holds less than it did.
+  /// `member` holds `keys` (as of `sequence` of life `incarnation`): replaces what was known of it,
+  /// never the other way round, and never by a maximum, for a reborn agent holds less than it did.
   void holds(std::size_t member, const Heartbeat& stamp, std::vector<StatementKey> keys);
   /// The view has a new statement of `member`.
   void learnt(std::size_t member, TimeNs now);

@@ -8,8 +8,8 @@
 
 namespace arcbid {
 
-/// Who was heard of when. Heartbeat counters travel inside every status message and are passed on, so
-/// an agent that only others can hear still counts as alive.
+/// Who was heard of when. Heartbeat counters travel inside every status message and are passed on,
+/// so an agent that only others can hear still counts as alive.
 class Membership {
  public:
   Membership(std::size_t members, std::size_t self, TimeNs now);

@@ -13,10 +13,12 @@
 
 namespace arcbid {
 
-/// Which of two statements of one agent is newer: compared field by field, in this order. A tombstone
-/// (dead) of a life beats everything said in that life; a new incarnation beats the tombstone.
+/// Which of two statements of one agent is newer: compared field by field, in this order. A
+/// tombstone (dead) of a life beats everything said in that life; a new incarnation beats the
+/// tombstone.
 struct StatementKey {
-  std::uint64_t incarnation = 0;  ///< from a boot clock, so that no two lives share one; 0: never heard
+  std::uint64_t incarnation =
+      0;  ///< from the clock at birth, so that no two lives share one; 0: never heard
   bool dead = false;
   std::uint32_t version = 0;
   friend auto operator<=>(const StatementKey&, const StatementKey&) = default;
@@ -42,7 +44,8 @@ struct Belief {
   friend bool operator==(const Belief&, const Belief&) = default;
 };
 
-/// What an agent states under published CBBA: z_i, y_i (index = task) and s_i (index = roster position).
+/// What an agent states under published CBBA: z_i, y_i (index = task) and s_i (index = roster
+/// position).
 struct Table {
   std::vector<Belief> beliefs;
   std::vector<std::uint64_t> timestamps;
@@ -101,7 +104,8 @@ struct StatusMessage {
   std::vector<Heartbeat> heartbeats;  ///< in roster order; empty before the mission
 };
 
-/// A stretch of a route: a transit, or (part of) an arc flown from from_m to to_m (from_m > to_m: backwards).
+/// A stretch of a route: a transit, or (part of) an arc flown from from_m to to_m (from_m > to_m:
+/// backwards).
 struct RouteLeg {
   std::optional<ArcId> arc;  ///< none: transit
   double from_m = 0, to_m = 0;

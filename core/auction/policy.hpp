@@ -28,11 +28,16 @@ class Policy {
   virtual StatementBody statement() const = 0;
   /// z_i and y_i as this agent believes them, an entry for each task.
   virtual std::vector<Belief> winners(const View& view) const = 0;
+  /// Whether all living members believe the same, once everybody is settled on `view`. True by
+  /// construction where winners are a function of the view; published CBBA can come to rest in
+  /// disagreement.
+  virtual bool agrees(const View&) const { return true; }
   /// p_i.
   virtual const std::vector<PathStop>& path() const = 0;
 };
 
-/// The policy that the mission asks for. `set` and `transit` must outlive it; `roster`: ascending ids.
+/// The policy that the mission asks for. `set` and `transit` must outlive it; `roster`: ascending
+/// ids.
 std::unique_ptr<Policy> make_policy(const TaskSet& set, const Uav& self,
                                     const std::vector<AgentId>& roster,
                                     const AuctionSettings& settings, const Transit& transit);

@@ -6,11 +6,11 @@
 
 namespace arcbid {
 
-/// The proof of agreement. An agent is ready for a view V when it holds exactly V, its decision on V is
-/// finished, and its own entry in V is the result. S is the set of members known to have been ready for
-/// the V of hash H; any change of V empties it. Once S covers all living members the allocation is final until
-/// something outside the auction changes: readiness is a fact about the past, so no loss, delay or
-/// reordering can falsify it. Members are roster positions.
+/// The proof of agreement. An agent is ready for a view V when it holds exactly V, its decision on
+/// V is finished, and its own entry in V is the result. S is the set of members known to have been
+/// ready for the V of hash H; any change of V empties it. Once S covers all living members the
+/// allocation is final until something outside the auction changes: readiness is a fact about the
+/// past, so no loss, delay or reordering can falsify it. Members are roster positions.
 class Readiness {
  public:
   Readiness(std::size_t members, std::size_t self) : self_(self), set_(members), last_(members) {}

@@ -34,7 +34,8 @@ class PathScore {
   virtual void assign(std::vector<PathStop> path) = 0;
   /// c_ij and where, for a task that is not in the path and was not retired since assign().
   virtual Insertion best(TaskId task) = 0;
-  /// A number that c_ij cannot exceed, at little cost; `exact` when it is c_ij and best() costs nothing.
+  /// A number that c_ij cannot exceed, at little cost; `exact` when it is c_ij and best() costs
+  /// nothing.
   struct Bound {
     double gain = 0;
     bool exact = false;

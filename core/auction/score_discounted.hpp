@@ -6,9 +6,10 @@
 namespace arcbid {
 
 /// Choi's time-discounted reward (Choi, Brunet, How 2009, section V): S(p) = sum over the path of
-/// v_j exp(-rho t_j), t_j the time at which piece j is done and v_j its length in metres. Best insertion, so the
-/// gains do not diminish and bids must be warped. An insertion is priced in O(1) from the times before it and the
-/// value after it: a detour of d seconds scales the rest of the path by exp(-rho d).
+/// v_j exp(-rho t_j), t_j the time at which piece j is done and v_j its length in metres. Best
+/// insertion, so the gains do not diminish and bids must be warped. An insertion is priced in O(1)
+/// from the times before it and the value after it: a detour of d seconds scales the rest of the
+/// path by exp(-rho d).
 class DiscountedScore final : public PathScore {
  public:
   DiscountedScore(const TaskSet& set, const Uav& uav, const Transit& transit,
@@ -33,8 +34,8 @@ class DiscountedScore final : public PathScore {
   const Transit& transit_;
   const double discount_per_s_;
   std::vector<PathStop> path_;
-  std::vector<double> done_s_;       // done_s_[l]: when the first l stops are done; done_s_[0] = 0
-  std::vector<double> rest_value_;   // rest_value_[l]: score of the stops from l on
+  std::vector<double> done_s_;      // done_s_[l]: when the first l stops are done; done_s_[0] = 0
+  std::vector<double> rest_value_;  // rest_value_[l]: score of the stops from l on
 };
 
 }  // namespace arcbid

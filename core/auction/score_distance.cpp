@@ -86,7 +86,8 @@ Insertion DistanceScore::best(TaskId task) {
   return {gain(task), c.position, c.reversed};
 }
 
-/// Transit `split` of the path became two, `split` and `split + 1`: only these are new, only the old one is gone.
+/// Transit `split` of the path became two, `split` and `split + 1`: only these are new, only the
+/// old one is gone.
 void DistanceScore::update(TaskId task, std::uint32_t split) {
   Cached& c = cached_[task.value];
   if (c.position == split)
@@ -105,8 +106,7 @@ void DistanceScore::insert(TaskId task, const Insertion& where) {
   path_.insert(path_.begin() + l, PathStop{task, where.reversed});
   tour_m_ += cached_[task.value].detour_m + set_.tasks[task.value].length_m();
   transits_m_[l] = transit_.length_m(before(l), after(l));
-  transits_m_.insert(transits_m_.begin() + l + 1,
-                     transit_.length_m(before(l + 1), after(l + 1)));
+  transits_m_.insert(transits_m_.begin() + l + 1, transit_.length_m(before(l + 1), after(l + 1)));
   retire(task);
   for (const TaskId other : active_) update(other, l);
 }

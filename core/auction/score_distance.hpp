@@ -5,10 +5,10 @@
 
 namespace arcbid {
 
-/// MiniMax and MiniSum: both ask only how many metres the cheapest insertion adds to the closed tour
-/// home -> path -> home. The cheapest insertion of every task still asked for is kept, and an insertion costs O(1) for
-/// each. A task whose best place was just taken keeps its old cost as a lower bound, and is scanned again only
-/// when somebody asks for the exact one.
+/// MiniMax and MiniSum: both ask only how many metres the cheapest insertion adds to the closed
+/// tour home -> path -> home. The cheapest insertion of every task still asked for is kept, and an
+/// insertion costs O(1) for each. A task whose best place was just taken keeps its old cost as a
+/// lower bound, and is scanned again only when somebody asks for the exact one.
 class DistanceScore final : public PathScore {
  public:
   /// `whole_tour`: MiniMax, minus the time of the whole tour, which has diminishing gains because
@@ -49,8 +49,8 @@ class DistanceScore final : public PathScore {
   std::vector<PathStop> path_;
   std::vector<double> transits_m_;  // transits_m_[l]: into position l; the last one leads home
   double tour_m_ = 0;
-  std::vector<Cached> cached_;      // by task
-  std::vector<TaskId> active_;      // tasks whose cached insertion is known
+  std::vector<Cached> cached_;  // by task
+  std::vector<TaskId> active_;  // tasks whose cached insertion is known
 };
 
 }  // namespace arcbid

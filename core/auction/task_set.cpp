@@ -75,9 +75,11 @@ TaskSet split(const std::vector<Arc>& arcs, std::optional<double> split_m,
     if (wanted > limit) {
       set.piece_m = raise(lengths_m, asked_m, limit);
       set.warnings.push_back(
-          fmt::format("pieces of {:.3g} m would make {} tasks, more than max_tasks = {}: pieces of "
-                      "{:.3g} m are used",
-                      asked_m, wanted, max_tasks, set.piece_m));
+          fmt::format("pieces of {:.3g} m would make {} tasks, more than max_tasks = {}: {}",
+                      asked_m, wanted, max_tasks,
+                      arcs.size() > max_tasks
+                          ? fmt::format("all {} arcs stay whole, which is still more", arcs.size())
+                          : fmt::format("pieces of {:.3g} m are used", set.piece_m)));
     }
   }
   for (std::size_t m = 0; m < arcs.size(); ++m)

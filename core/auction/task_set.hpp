@@ -33,8 +33,9 @@ struct TaskSet {
 };
 
 /// Eq. (4): cuts every arc into pieces of the shortest arc's length (or `split_m`), the remainder
-/// being the last piece. A remainder below 1 mm stays with the piece before it. Where that makes more than
-/// `max_tasks` pieces the length is raised until it does not (whole arcs at most), with a warning.
+/// being the last piece. A remainder below 1 mm stays with the piece before it. Where that makes
+/// more than `max_tasks` pieces the length is raised until it does not, with a warning; where the
+/// arcs alone are more, they stay whole.
 TaskSet split(const std::vector<Arc>& arcs, std::optional<double> split_m, std::uint32_t max_tasks);
 
 /// A stretch of one arc, won as a whole.
@@ -44,8 +45,8 @@ struct Piece {
   friend bool operator==(const Piece&, const Piece&) = default;
 };
 
-/// Eq. (11): neighbours in `path` that are neighbours on the same arc become one piece again. Pieces
-/// come in the order of the path.
+/// Eq. (11): neighbours in `path` that are neighbours on the same arc become one piece again.
+/// Pieces come in the order of the path.
 std::vector<Piece> combine(const TaskSet& set, const std::vector<TaskId>& path);
 
 }  // namespace arcbid

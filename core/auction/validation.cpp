@@ -11,9 +11,9 @@ namespace {
 
 using Reason = std::optional<std::string>;
 
-Reason implausible(std::uint64_t incarnation) {
-  if (incarnation <= last_incarnation) return {};
-  return fmt::format("life {} is beyond {}", incarnation, last_incarnation);
+Reason implausible(std::uint64_t incarnation, std::uint64_t last = last_incarnation) {
+  if (incarnation <= last) return {};
+  return fmt::format("life {} is beyond {}", incarnation, last);
 }
 
 Reason refusal(const Claims& claims, const Expected& expected, const View&) {
@@ -66,7 +66,10 @@ Reason refusal(const Header& header, const Expected& expected, const View& view)
 Reason refusal(const Statement& statement, const Expected& expected, const View& view) {
   if (!view.position(statement.agent))
     return fmt::format("a statement of agent {}, who is not of the fleet", statement.agent.value);
-  if (const Reason reason = implausible(statement.key.incarnation)) return reason;
+  // What is said in this agent's own name must leave a later life to answer with.
+  const bool own = statement.agent == expected.self;
+  if (const Reason reason = implausible(statement.key.incarnation, last_incarnation - own))
+    return reason;
   if (statement.key.dead) {
     const auto* claims = std::get_if<Claims>(&statement.body);
     if (!claims || !claims->bundle.empty()) return "a tombstone that claims tasks";

@@ -19,8 +19,8 @@ struct Expected {
   PolicyKind policy = PolicyKind::claims;
 };
 
-/// The latest life that another agent may speak of: milliseconds until the year 2109. Beyond it a life could
-/// not be refuted by a later one for ever.
+/// The latest life that another agent may speak of: milliseconds until the year 2109. Beyond it a
+/// life could not be refuted by a later one for ever.
 inline constexpr std::uint64_t last_incarnation = (std::uint64_t{1} << 42) - 1;
 
 /// Why a message is refused, in one line; none: it is sound. Nothing refused is ever applied.

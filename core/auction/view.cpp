@@ -18,6 +18,7 @@ void add(Digest& d, const Claims& claims) {
 void add(Digest& d, const Table& table) {
   for (const Belief& belief : table.beliefs)
     d.add(std::uint64_t{belief.winner ? belief.winner->value + 1ULL : 0ULL}).add(belief.bid);
+  for (const std::uint64_t timestamp : table.timestamps) d.add(timestamp);
 }
 
 std::uint64_t digest_of(const Statement& statement) {

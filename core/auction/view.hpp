@@ -16,8 +16,8 @@ class View {
   /// `roster`: ascending agent ids. Nobody has been heard.
   explicit View(std::vector<AgentId> roster);
 
-  /// Keeps the statement if it is newer than what is held. Returns whether V changed. Its agent must be
-  /// of the roster.
+  /// Keeps the statement if it is newer than what is held. Returns whether V changed. Its agent
+  /// must be of the roster.
   bool merge(Statement statement);
 
   const std::vector<AgentId>& roster() const { return roster_; }
@@ -38,8 +38,8 @@ class View {
   std::vector<std::uint64_t> contents_;  // digest of each statement
 };
 
-/// z and y as they follow from claims alone: for every task the highest bid of the living, the lower
-/// id on ties; `without` leaves one agent's own claims out.
+/// z and y as they follow from claims alone: for every task the highest bid of the living, the
+/// lower id on ties; `without` leaves one agent's own claims out.
 std::vector<Belief> best_claims(const View& view, std::size_t tasks,
                                 std::optional<AgentId> without = std::nullopt);
 

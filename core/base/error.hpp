@@ -10,9 +10,17 @@
 
 namespace arcbid {
 
-/// Bad input at the edge: a file, a config, the command line. The message is one line that names the
-/// file, the field or line, the value, and what would be legal. Caught once, in main: exit code 2.
+/// Bad input at the edge: a file, a config, the command line. The message is one line that names
+/// the file, the field or line, the value, and what would be legal. Caught once, in main: exit
+/// code 2.
 class InputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The world failed us while we worked (a full disk, a file that vanished): nobody's input is to
+/// blame. Caught once, in main: exit code 1.
+class RunError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };

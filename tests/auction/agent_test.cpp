@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One agent: the start, silence and return, agreement.
+// One agent: silence and return, agreement, and what it sends.
 #include <gmock/gmock.h>
 
 #include "tests/auction/agent_fixture.hpp"
@@ -9,74 +9,6 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
-
-// -- the start
-// ---------------------------------------------------------------------------------------
-
-TEST_F(AgentTest, DoesNotStartBeforeEverybodyIsPresent) {
-  EXPECT_FALSE(tick().started);
-  EXPECT_FALSE(hear(status(first, Phase::waiting_for_peers)).started);
-  EXPECT_FALSE(hear(status(third, Phase::waiting_for_peers, 1)).started)
-      << "agent 3 misses somebody";
-  EXPECT_EQ(agent->phase(), Phase::waiting_for_peers);
-  EXPECT_TRUE(hear(status(third, Phase::waiting_for_peers)).started);
-  EXPECT_EQ(agent->phase(), Phase::auction);
-}
-
-TEST_F(AgentTest, DoesNotStartBeforeItReachesEverybodyItself) {
-  tick(1);
-  hear(status(first, Phase::waiting_for_peers));
-  EXPECT_FALSE(hear(status(third, Phase::waiting_for_peers)).started);
-  EXPECT_TRUE(tick(2).started);
-}
-
-TEST_F(AgentTest, StartsWhenSomebodyElseHas) {
-  tick(1);
-  EXPECT_TRUE(hear(status(first, Phase::auction)).started);
-}
-
-TEST_F(AgentTest, StartsAtTheEndOfTheBarrierWithoutThoseNeverHeard) {
-  Update update = tick(1);
-  while (!update.started && now < 60 * second) {
-    if (now < 9 * second) hear(status(first, Phase::waiting_for_peers, 1));
-    now = wake_ns;
-    update = tick(1);
-  }
-  EXPECT_EQ(now, mission->auction.barrier_ns);
-  EXPECT_THAT(update.died, ElementsAre(third)) << "silent all along, and nobody waits again";
-}
-
-TEST_F(AgentTest, CountsSilenceFromTheStart) {
-  tick();
-  hear(status(first, Phase::waiting_for_peers));
-  now = 5 * second;
-  EXPECT_THAT(hear(status(third, Phase::waiting_for_peers)).died, IsEmpty());
-  now += mission->auction.lease_ns;
-  EXPECT_THAT(tick().died, IsEmpty());
-}
-
-TEST_F(AgentTest, BidsAsSoonAsItHasStarted) {
-  start();
-  settle();
-  const auto& bundle = std::get<Claims>(agent->view().of(at_self).body).bundle;
-  EXPECT_EQ(bundle.size(), agent->tasks().tasks.size()) << "nobody else claims anything";
-  EXPECT_EQ(agent->view().key(at_self).incarnation, own_life);
-}
-
-TEST_F(AgentTest, SaysNothingOfItsWorkWhileItWaits) {
-  const Update update = tick(1);
-  EXPECT_THAT(update.bids, IsEmpty());
-  ASSERT_EQ(update.statuses.size(), 1u);
-  EXPECT_EQ(update.statuses[0].phase, Phase::waiting_for_peers);
-}
-
-TEST_F(AgentTest, DoesNotMindAPeerThatHasNoMissionYet) {
-  StatusMessage message;
-  message.header = {first, life(first), 1, 0, 0};
-  const Update update = hear(message);
-  EXPECT_EQ(update.refused, std::nullopt);
-  EXPECT_FALSE(update.started);
-}
 
 TEST_F(AgentTest, DecidesAtMostOnceATick) {
   start();
@@ -95,16 +27,11 @@ TEST_F(AgentTest, DecidesAtMostOnceATick) {
 }
 
 // -- silence and return
-// ------------------------------------------------------------------------------
 
 TEST_F(AgentTest, BuriesTheSilentAfterTheLease) {
   start();
-  std::vector<AgentId> died;
-  while (died.empty() && now < 60 * second) {
-    now = wake_ns;
-    died = tick().died;
-  }
-  EXPECT_THAT(died, ElementsAre(first, third));
+  const Update update = tick_until([](const Update& u) { return !u.died.empty(); });
+  EXPECT_THAT(update.died, ElementsAre(first, third));
   EXPECT_EQ(now, mission->auction.lease_ns + 1);
   EXPECT_TRUE(agent->view().dead(first));
 }
@@ -119,6 +46,15 @@ TEST_F(AgentTest, CountsARelayedHeartbeatAsLife) {
   EXPECT_THAT(tick().died, IsEmpty());
   now += 1;
   EXPECT_THAT(tick().died, ElementsAre(first, third));
+}
+
+TEST_F(AgentTest, BuriesNobodyBeforeAllThatWaitsWasHeard) {
+  start();
+  now = 3 * mission->auction.lease_ns;  // it was held up itself; heartbeats queue
+  EXPECT_THAT(hear(status(first)).died, IsEmpty());
+  EXPECT_EQ(wake_ns, now) << "a tick is due";
+  EXPECT_THAT(hear(status(third)).died, IsEmpty());
+  EXPECT_THAT(tick().died, IsEmpty());
 }
 
 TEST_F(AgentTest, TakesOverFromTheDeadAndGivesBackToTheReturned) {
@@ -170,6 +106,16 @@ TEST_F(AgentTest, AnswersWhatItNeverSaidInThisLife) {
   EXPECT_EQ(agent->view().key(at_self), (StatementKey{own_life + 1, false, 1}));
 }
 
+TEST_F(AgentTest, AnswersAHeartbeatOfALifeThatItDoesNotLead) {
+  // Left alone it would make all deaf to this agent's own heartbeats.
+  start();
+  settle();
+  StatusMessage message = status(third);
+  message.heartbeats[at_self] = {own_life + 5, 1};
+  hear(message);
+  EXPECT_EQ(agent->view().key(at_self), (StatementKey{own_life + 6, false, 1}));
+}
+
 TEST_F(AgentTest, StartsAboveAnOldLifeThatItHearsOfBeforeTheStart) {
   hear(RelayMessage{header(third), {self, {own_life + 7, false, 9}, Claims{}}});
   start();
@@ -178,7 +124,6 @@ TEST_F(AgentTest, StartsAboveAnOldLifeThatItHearsOfBeforeTheStart) {
 }
 
 // -- agreement
-// ---------------------------------------------------------------------------------------
 
 TEST_F(AgentTest, AgreesOnceEverybodyIsKnownToHaveBeenReady) {
   const Update update = agree();
@@ -237,6 +182,67 @@ TEST_F(AgentTest, IsNotRoutedByALateRoute) {
   EXPECT_EQ(agent->phase(), Phase::auction);
 }
 
+TEST_F(AgentTest, PassesReadinessOnWithinATick) {
+  start();
+  hear(bid(claims(first, 1)));
+  hear(bid(claims(third, 1)));
+  settle();
+  StatusMessage message = status(third);
+  message.view_hash = agent->view().hash();
+  message.ready = {third};
+  Update update = hear(message);
+  if (update.statuses.empty()) {
+    EXPECT_LE(wake_ns, now + mission->auction.tick_ns);
+    now = wake_ns;
+    update = tick();
+  }
+  ASSERT_EQ(update.statuses.size(), 1u);
+  EXPECT_EQ(update.statuses[0].view_hash, agent->view().hash());
+  EXPECT_THAT(update.statuses[0].ready, ElementsAre(self, third));
+}
+
+// -- what it sends
+
+TEST_F(AgentTest, SendsItsHeartbeatAndThoseItHeardOf) {
+  start();
+  StatusMessage heard = status(first);
+  heard.heartbeats[at_third] = {life(third), 77};
+  hear(heard);
+  now = second / 4;
+  const Update update = tick();
+  ASSERT_EQ(update.statuses.size(), 1u);
+  const StatusMessage& sent = update.statuses[0];
+  EXPECT_EQ(sent.heartbeats[at_self], (Heartbeat{own_life, sent.header.sequence}));
+  EXPECT_EQ(sent.heartbeats[at_first], (Heartbeat{life(first), heard.header.sequence}));
+  EXPECT_EQ(sent.heartbeats[at_third], (Heartbeat{life(third), 77}));
+  EXPECT_EQ(sent.view, agent->view().keys());
+}
+
+TEST_F(AgentTest, RepeatsItsBidToWhoeverLacksIt) {
+  start();
+  settle();
+  StatusMessage message = status(third);
+  message.view[at_self] = {};
+  ASSERT_THAT(hear(message).bids, IsEmpty());
+  const Update update = tick_until([](const Update& u) { return !u.bids.empty(); });
+  ASSERT_EQ(update.bids.size(), 1u);
+  EXPECT_EQ(update.bids[0].statement.key, agent->view().key(at_self));
+}
+
+TEST_F(AgentTest, RelaysWhatAPeerLacksAfterSomePatience) {
+  start();
+  hear(bid(claims(first, 1)));
+  settle();
+  StatusMessage message = status(third);
+  message.view[at_first] = {};
+  ASSERT_THAT(hear(message).relays, IsEmpty());
+  const Update update = tick_until([](const Update& u) { return !u.relays.empty(); });
+  ASSERT_EQ(update.relays.size(), 1u);
+  EXPECT_EQ(update.relays[0].header.sender, self);
+  EXPECT_EQ(update.relays[0].statement.agent, first);
+  EXPECT_EQ(update.relays[0].statement.key, agent->view().key(at_first));
+}
+
 class CbbaAgentTest : public AgentTest {
  protected:
   CbbaAgentTest() : AgentTest(PolicyKind::cbba) {}
@@ -256,6 +262,25 @@ TEST_F(CbbaAgentTest, IsNotReadyWhileItsDecisionIsUnsettled) {
   const Update later = tick();
   ASSERT_EQ(later.statuses.size(), 1u);
   EXPECT_THAT(later.statuses[0].ready, ElementsAre(self));
+}
+
+TEST_F(CbbaAgentTest, DoesNotAgreeWhenAllAreReadyButBelieveDifferently) {
+  start();
+  const Table nobody{std::vector<Belief>(agent->tasks().tasks.size()), {0, 0, 0}};
+  Table same = nobody;
+  for (const AgentId peer : {first, third}) hear(bid({peer, {life(peer), false, 1}, nobody}));
+  settle();
+  same.beliefs = agent->winners();
+  const auto all_ready = [&] {
+    StatusMessage message = status(third);
+    message.view_hash = agent->view().hash();
+    message.ready = {first, third};
+    return hear(message);
+  };
+  EXPECT_FALSE(all_ready().agreed);
+  for (const AgentId peer : {first, third}) hear(bid({peer, {life(peer), false, 2}, same}));
+  settle();
+  EXPECT_TRUE(all_ready().agreed);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The auction as a whole, in virtual time: agreement is reached, proven and never contradicted, and what is
-// agreed is the sequential greedy allocation of the living.
+// The auction as a whole, in virtual time: agreement is reached, proven and never contradicted, and
+// what is agreed is the sequential greedy allocation of the living.
 #include <gmock/gmock.h>
 
 #include <set>
@@ -58,18 +58,17 @@ TEST_P(ClaimsAgreement, IsSequentialGreedyWhateverTheNetworkDoes) {
     expect_sound(fleet);
     expect_sequential_greedy(fleet);
     fleet.run_for(5 * second);
-    EXPECT_EQ(fleet.agreement(fleet.living().front()).has_value(), true) << "the proof did not last";
+    EXPECT_EQ(fleet.agreement(fleet.living().front()).has_value(), true)
+        << "the proof did not last";
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Worlds, ClaimsAgreement,
-                         ::testing::Values(World{1, 5, 0, 0, 2'000'000},
-                                           World{2, 6, 0, 0, 2'000'000},
-                                           World{4, 10, 0, 0, 5'000'000},
-                                           World{4, 10, 0.3, 0.2, 50'000'000},
-                                           World{6, 8, 0.6, 0.3, 100'000'000},
-                                           World{3, 1, 0.2, 0, 5'000'000},
-                                           World{5, 2, 0.5, 0.5, 200'000'000}));
+INSTANTIATE_TEST_SUITE_P(
+    Worlds, ClaimsAgreement,
+    ::testing::Values(World{1, 5, 0, 0, 2'000'000}, World{2, 6, 0, 0, 2'000'000},
+                      World{4, 10, 0, 0, 5'000'000}, World{4, 10, 0.3, 0.2, 50'000'000},
+                      World{6, 8, 0.6, 0.3, 100'000'000}, World{3, 1, 0.2, 0, 5'000'000},
+                      World{5, 2, 0.5, 0.5, 200'000'000}));
 
 TEST(Agreement, SurvivesTheDeathOfAnAgentAtAnyTime) {
   for (TimeNs at = 0; at < 600'000'000; at += 23'000'000) {
@@ -116,7 +115,8 @@ TEST(Agreement, BothSidesOfAPartitionFinishAndOneAllocationIsLeftWhenItHeals) {
 
 TEST(Agreement, IsNeverProvenTooEarly) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
-    Fleet fleet(random_mission(seed, 5, 6), {.loss = 0.5, .duplicate = 0.3, .most_ns = 80'000'000}, seed);
+    Fleet fleet(random_mission(seed, 5, 6), {.loss = 0.5, .duplicate = 0.3, .most_ns = 80'000'000},
+                seed);
     ASSERT_TRUE(fleet.run(60 * second));
     const auto before = fleet.agreement({1})->winners;
     fleet.run_for(second);
@@ -170,7 +170,8 @@ TEST(Agreement, LeavesWhatNobodyMayTakeWithoutAnOwner) {
   Fleet fleet(mission, {}, 1);
   ASSERT_TRUE(fleet.run(60 * second));
   const auto& winners = fleet.agreement({1})->winners;
-  EXPECT_EQ(std::count_if(winners.begin(), winners.end(), [](const Belief& b) { return b.winner; }), 2);
+  EXPECT_EQ(std::count_if(winners.begin(), winners.end(), [](const Belief& b) { return b.winner; }),
+            2);
 }
 
 TEST(Agreement, IsTheSameBitForBitWhenRunAgain) {

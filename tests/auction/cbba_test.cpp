@@ -159,5 +159,16 @@ TEST(CbbaPolicy, DoesNotLearnOfADeadWinnerFromTheLiving) {
   EXPECT_EQ(policy.winners(view)[0].winner, self);
 }
 
+TEST(CbbaPolicy, SeesWhetherTheLivingBelieveTheSame) {
+  CbbaPolicy policy(scripted(falling, 1));
+  View view = view_with({{{AgentId{2}, 500.0}}, {0, 0, 0, 0}});
+  policy.decide(view);
+  EXPECT_TRUE(policy.agrees(view));
+  view.merge({{3}, {60, false, 1}, nothing_known(1)});
+  EXPECT_FALSE(policy.agrees(view)) << "agent 3 knows of no winner";
+  view.merge({{3}, {60, true, 1}, Claims{}});
+  EXPECT_TRUE(policy.agrees(view)) << "the dead need not agree";
+}
+
 }  // namespace
 }  // namespace arcbid::testing

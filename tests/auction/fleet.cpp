@@ -17,14 +17,14 @@ double Dice::unit() {
 Mission random_mission(std::uint64_t seed, std::uint32_t agents, std::uint32_t arcs) {
   Dice dice(seed);
   const auto point = [&] { return Vec3(100 * dice.unit(), 100 * dice.unit(), 30 * dice.unit()); };
-  Mission mission{.id = seed + 1, .name = "random", .arcs = {}, .fleet = {}, .auction = {}, .tour = {}};
+  Mission mission{
+      .id = seed + 1, .name = "random", .arcs = {}, .fleet = {}, .auction = {}, .tour = {}};
   for (std::uint32_t m = 0; m < arcs; ++m) {
     const Vec3 start = point();
     const Vec3 along = Vec3(dice.unit() - 0.5, dice.unit() - 0.5, 0.1).normalized();
     const double length = 5 + 20 * dice.unit();
-    mission.arcs.push_back({{m},
-                            ArcKind::outline,
-                            {{start, Vec3::UnitX()}, {start + length * along, Vec3::UnitX()}}});
+    mission.arcs.push_back(
+        {{m}, ArcKind::outline, {{start, Vec3::UnitX()}, {start + length * along, Vec3::UnitX()}}});
   }
   for (std::uint32_t i = 1; i <= agents; ++i)
     mission.fleet.push_back({{i}, Vec3(100 * dice.unit(), 100 * dice.unit(), 0), 1 + dice.unit()});
@@ -39,8 +39,9 @@ Fleet::Fleet(Mission mission, Link link, std::uint64_t seed)
 
 void Fleet::revive(AgentId id) {
   Member& member = members_[id];
-  // A boot clock: grows with every life and differs between agents.
-  const std::uint64_t incarnation = 1000 + static_cast<std::uint64_t>(now_ns_ / 1'000'000) + id.value;
+  // A clock at birth: grows with every life and differs between agents.
+  const std::uint64_t incarnation =
+      1000 + static_cast<std::uint64_t>(now_ns_ / 1'000'000) + id.value;
   member.agent = std::make_unique<Agent>(id, incarnation + member.lives++, mission_,
                                          std::make_shared<StraightTransit>(), now_ns_);
   member.agreement.reset();

@@ -12,7 +12,8 @@
 
 namespace arcbid::testing {
 
-/// A mission of `arcs` straight arcs at random in a 100 m box and `agents` UAVs at random on its floor.
+/// A mission of `arcs` straight arcs at random in a 100 m box and `agents` UAVs at random on its
+/// floor.
 Mission random_mission(std::uint64_t seed, std::uint32_t agents, std::uint32_t arcs);
 
 /// Numbers for tests: the same on every platform.
@@ -20,13 +21,16 @@ class Dice {
  public:
   explicit Dice(std::uint64_t seed) : state_(seed) {}
   double unit();  ///< in [0, 1)
-  std::uint64_t below(std::uint64_t n) { return static_cast<std::uint64_t>(unit() * static_cast<double>(n)); }
+  std::uint64_t below(std::uint64_t n) {
+    return static_cast<std::uint64_t>(unit() * static_cast<double>(n));
+  }
 
  private:
   std::uint64_t state_;
 };
 
-/// Agents on a network in virtual time: every message to every agent by its own draw of loss, delay and duplication.
+/// Agents on a network in virtual time: every message to every agent by its own draw of loss, delay
+/// and duplication.
 class Fleet {
  public:
   struct Link {
@@ -36,7 +40,8 @@ class Fleet {
   };
   Fleet(Mission mission, Link link, std::uint64_t seed);
 
-  /// Runs until every living agent has a proof of one and the same view (true), or `limit_ns` passed.
+  /// Runs until every living agent has a proof of one and the same view (true), or `limit_ns`
+  /// passed.
   bool run(TimeNs limit_ns);
   void run_for(TimeNs span_ns);
   void kill(AgentId agent);
@@ -80,8 +85,8 @@ class Fleet {
   std::uint64_t order_ = 0, messages_ = 0;
 };
 
-/// The oracle: the sequential greedy allocation of `agents`, by plain search without caches. For every
-/// task its winner and bid.
+/// The oracle: the sequential greedy allocation of `agents`, by plain search without caches. For
+/// every task its winner and bid.
 std::vector<Belief> sequential_greedy(const Mission& mission, const TaskSet& set,
                                       const std::vector<AgentId>& agents);
 

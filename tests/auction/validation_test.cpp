@@ -107,6 +107,12 @@ TEST_F(Refusal, OfALifeAfterWhichThereIsNoOther) {
   expect_refused(status, "is beyond");
 }
 
+TEST_F(Refusal, OfAnOwnLifeThatLeavesNoneToAnswerWith) {
+  expect_sound(Statement{{2}, {last_incarnation - 1, true, 0}, Claims{}});
+  expect_refused(Statement{{2}, {last_incarnation, true, 0}, Claims{}}, "is beyond");
+  expect_sound(Statement{{3}, {last_incarnation, true, 0}, Claims{}});
+}
+
 TEST_F(Refusal, OfAHeartbeatOfALifeAfterWhichThereIsNoOther) {
   // Passed on, it would make all deaf to the member's own heartbeats.
   status.heartbeats[1].incarnation = last_incarnation + 1;

@@ -16,8 +16,9 @@ Statement claims(AgentId agent, StatementKey key, std::vector<Claim> bundle) {
   return {agent, key, Claims{std::move(bundle)}};
 }
 
-Statement table(AgentId agent, StatementKey key, std::vector<Belief> beliefs) {
-  return {agent, key, Table{std::move(beliefs), {0, 0, 0, 0}}};
+Statement table(AgentId agent, StatementKey key, std::vector<Belief> beliefs,
+                std::uint64_t newest = 0) {
+  return {agent, key, Table{std::move(beliefs), {0, 0, 0, newest}}};
 }
 
 Statement tombstone(AgentId agent, std::uint64_t incarnation, std::uint32_t version) {
@@ -132,10 +133,12 @@ TEST(ViewHash, DependsOnEveryPartOfAStatement) {
       claims({3}, {7, false, 2}, {{{1}, 5.0}}),
       claims({3}, {7, false, 2}, {{{1}, 5.0}, {{3}, 4.0}}),
       claims({3}, {7, false, 2}, {{{1}, 5.0}, {{2}, std::nextafter(4.0, 5.0)}}),
+      claims({3}, {7, false, 2}, {}),
       tombstone({3}, 7, 2),
       table({3}, {7, false, 2}, {{AgentId{3}, 5.0}, {}}),
       table({3}, {7, false, 2}, {{AgentId{5}, 5.0}, {}}),
       table({3}, {7, false, 2}, {{}, {AgentId{3}, 5.0}}),
+      table({3}, {7, false, 2}, {{AgentId{3}, 5.0}, {}}, 1),
       table({3}, {7, false, 2}, {{AgentId{3}, 5.5}, {}})};
   std::vector<std::uint64_t> hashes{View(roster).hash()};
   for (const Statement& statement : different) hashes.push_back(merged({statement}).hash());
@@ -155,7 +158,7 @@ TEST(BestClaims, LeaveOutTheDeadAndWhoeverIsToBeLeftOut) {
       merged({claims({3}, {1, false, 1}, {{{0}, 5.0}}), claims({5}, {1, false, 1}, {{{0}, 6.0}})});
   EXPECT_EQ(best_claims(view, 1, AgentId{5})[0], (Belief{AgentId{3}, 5.0}));
   EXPECT_EQ(best_claims(view, 1, AgentId{3})[0], (Belief{AgentId{5}, 6.0}));
-  view.merge(tombstone({5}, 1, 1));
+  view.merge(claims({5}, {1, true, 1}, {{{0}, 6.0}}));  // the last will of the dead is void too
   EXPECT_EQ(best_claims(view, 1)[0], (Belief{AgentId{3}, 5.0}));
 }
 

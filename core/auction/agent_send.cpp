@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What an agent says, and when it wants to be woken.
+#include <algorithm>
+#include <utility>
+
+#include "core/auction/agent.hpp"
+
+namespace arcbid {
+namespace {
+
+constexpr TimeNs heartbeats_a_lease = 8;
+
+}  // namespace
+
+Header Agent::header() {
+  return {self_, incarnation_, ++sequence_, expected_.mission_digest, expected_.task_digest};
+}
+
+StatusMessage Agent::status() const {
+  StatusMessage status;
+  status.phase = phase_;
+  status.round = round_;
+  status.matched_peers = matched_peers_;
+  if (readiness_.ready()) {
+    status.view_hash = view_hash_;
+    for (std::size_t k = 0; k < view_.roster().size(); ++k)
+      if (readiness_.set()[k]) status.ready.push_back(view_.roster()[k]);
+  }
+  status.view = view_.keys();
+  status.heartbeats = membership_.heartbeats();
+  return status;
+}
+
+void Agent::send(Update& update) {
+  for (const std::size_t author : dissemination_.due(view_, now_ns_)) {
+    if (author == me_)
+      update.bids.push_back({header(), view_.of(author)});
+    else
+      update.relays.push_back({header(), view_.of(author)});
+  }
+  const AuctionSettings& auction = mission_->auction;
+  const TimeNs since = now_ns_ - status_sent_ns_;
+  const bool news = status_is_news_ && since >= auction.tick_ns;
+  if (!news && since < auction.lease_ns / heartbeats_a_lease) return;
+  StatusMessage message = status();
+  message.header = header();
+  message.heartbeats[me_] = {incarnation_, message.header.sequence};
+  update.statuses.push_back(std::move(message));
+  status_is_news_ = false;
+  status_sent_ns_ = now_ns_;
+}
+
+TimeNs Agent::next_wake() const {
+  const AuctionSettings& auction = mission_->auction;
+  TimeNs wake = status_sent_ns_ + auction.lease_ns / heartbeats_a_lease;
+  if (status_is_news_) wake = std::min(wake, status_sent_ns_ + auction.tick_ns);
+  if (phase_ == Phase::waiting_for_peers) return std::min(wake, born_ns_ + auction.barrier_ns);
+  for (std::size_t k = 0; k < view_.roster().size(); ++k)
+    if (!view_.dead(k)) wake = std::min(wake, membership_.deadline(k, auction.lease_ns));
+  if (undecided_) wake = std::min(wake, decided_ns_ + auction.tick_ns);
+  if (dissemination_.anyone_lacks(view_)) wake = std::min(wake, now_ns_ + auction.tick_ns);
+  return std::max(wake, now_ns_);
+}
+
+}  // namespace arcbid
