@@ -22,7 +22,9 @@ constexpr TimeNs ask_interval_ns = 200'000'000;
 constexpr TimeNs traffic_interval_ns = 500'000'000;
 constexpr TimeNs longest_wait_ns = 50'000'000;  // signals are noticed between waits
 
-double seconds(TimeNs ns) { return static_cast<double>(ns) * 1e-9; }
+double seconds(TimeNs ns) {
+  return static_cast<double>(ns) * 1e-9;
+}
 
 json count(const std::vector<AgentId>& agents) {
   json out = json::array();
@@ -35,11 +37,10 @@ json count(const std::vector<AgentId>& agents) {
 AgentProcess::AgentProcess(AgentOptions options)
     : options_(std::move(options)),
       report_(fmt::format("agent {}", options_.id.value), options_.json_events),
-      incarnation_(boot_stamp_ms()),
+      incarnation_(birth_stamp_ms()),
       bus_(options_.network, options_.domain, BusRole::agent,
            fmt::format("arcbid-agent-{}", options_.id.value), options_.fleet_size) {
   if (options_.run) {
-    std::filesystem::create_directories(*options_.run / "logs");
     // A life has its own log: an agent that comes back must not write over what its last life left.
     log_.emplace(*options_.run / "logs" /
                  fmt::format("agent_{}.{}.sqlite", options_.id.value, incarnation_));
@@ -65,11 +66,12 @@ Exit AgentProcess::run() {
       else
         ask_for_mission();
     }
+    fly_if_planned();
     if (log_) log_->commit_if_due(now_ns());
     report_traffic(false);
   }
   report_traffic(true);
-  if (log_) log_->append(now_ns(), "end", {{"by", done_ ? "coordinator" : "signal"}});
+  log("end", {{"by", done_ ? "coordinator" : "signal"}});
   return done_.value_or(Exit::done);
 }
 
@@ -84,8 +86,9 @@ void AgentProcess::ask_for_mission() {
 
 void AgentProcess::handle(const Mission& mission) {
   if (agent_) {
-    if (digest(mission) != digest(*mission_))
-      refuse(fmt::format("mission {} came while {} is under way", hex(mission.id), hex(mission_->id)));
+    if (digest(mission) != mission_digest_)
+      refuse(
+          fmt::format("mission {} came while {} is under way", hex(mission.id), hex(mission_->id)));
     return;
   }
   const auto me = std::find_if(mission.fleet.begin(), mission.fleet.end(),
@@ -95,22 +98,26 @@ void AgentProcess::handle(const Mission& mission) {
     return;
   }
   mission_ = std::make_shared<const Mission>(mission);
+  mission_digest_ = digest(mission);
   transit_ = std::make_shared<const StraightTransit>();
   agent_ = std::make_unique<Agent>(options_.id, incarnation_, mission_, transit_, now_ns());
-  if (log_) log_->append(now_ns(), "mission", to_json(mission));
+  log("mission", to_json(mission));
   report_("mission", {{"arcs", mission.arcs.size()}, {"tasks", agent_->tasks().tasks.size()}});
-  for (const std::string& warning : agent_->tasks().warnings) report_("warning", {{"text", warning}});
+  for (const std::string& warning : agent_->tasks().warnings)
+    report_("warning", {{"text", warning}});
   step({now_ns(), Tick{bus_.matched_agents()}});
 }
 
 void AgentProcess::handle(const ControlMessage& control) {
-  if (mission_ && control.mission_digest != digest(*mission_)) return;
-  if (log_) log_->append(now_ns(), "control", {{"command", static_cast<int>(control.command)}});
+  if (!mission_ || control.mission_digest != mission_digest_) return;  // another mission's
+  log("control", {{"command", static_cast<int>(control.command)}, {"reason", control.reason}});
   done_ = control.command == Command::complete ? Exit::done : Exit::check_failed;
 }
 
 void AgentProcess::handle(const Malformed& malformed) {
-  refuse(fmt::format("{}: {}", malformed.topic, malformed.reason));
+  const std::string reason = fmt::format("{}: {}", malformed.topic, malformed.reason);
+  log("refused", {{"reason", reason}});  // the bus has counted it
+  report_("refused", {{"reason", reason}});
 }
 
 template <class Message>
@@ -120,44 +127,62 @@ void AgentProcess::handle(const Message& message) {
 
 void AgentProcess::refuse(const std::string& reason) {
   ++refused_;
-  if (log_) log_->append(now_ns(), "refused", {{"reason", reason}});
+  log("refused", {{"reason", reason}});
   report_("refused", {{"reason", reason}});
 }
 
+/// A log that can no longer be written costs the log, not the drone.
+void AgentProcess::log(std::string_view kind, const json& body) {
+  if (!log_) return;
+  try {
+    log_->append(now_ns(), kind, body);
+  } catch (const RunError& error) {
+    log_.reset();
+    report_("warning", {{"text", error.what()}});
+  }
+}
+
 void AgentProcess::step(Event event) {
-  if (log_) log_->append(event.now_ns, kind(event), to_json(event));
+  json body = to_json(event);
+  body["now_ns"] = event.now_ns;
+  log(kind(event), body);
   Update update = agent_->step(event);
   carry_out(update);
 }
 
 void AgentProcess::carry_out(Update& update) {
   wake_ns_ = update.wake_ns;
-  // What is said must be on record before anybody can act on it.
-  if (log_) {
-    if (update.decision) log_->append(now_ns(), "decision", to_json(*update.decision));
-    for (const auto& m : update.bids) log_->append(now_ns(), "sent_bid", to_json(m));
-    for (const auto& m : update.relays) log_->append(now_ns(), "sent_relay", to_json(m));
-    for (const auto& m : update.statuses) log_->append(now_ns(), "sent_status", to_json(m));
-    if (update.agreed) log_->append(now_ns(), "agreed", to_json(*update.agreed));
-  }
+  if (update.decision) log("decision", to_json(*update.decision));
+  for (const auto& m : update.bids) log("sent_bid", to_json(m));
+  for (const auto& m : update.relays) log("sent_relay", to_json(m));
+  for (const auto& m : update.statuses) log("sent_status", to_json(m));
+  if (update.agreed) log("agreed", to_json(*update.agreed));
+  // What others will act on must be on record before they can.
+  if (log_ && (update.agreed || !update.bids.empty())) log_->commit();
   for (const auto& bid : update.bids) bus_.publish(bid);
   for (const auto& relay : update.relays) bus_.publish(relay);
   for (const auto& status : update.statuses) bus_.publish(status);
   if (update.refused) refuse(*update.refused);
   report(update);
-  if (update.agreed) fly(*update.agreed);
+  if (update.agreement_lost) to_plan_.reset();
+  if (update.agreed) {
+    to_plan_ = std::move(update.agreed);
+    agreed_s_ = seconds(now_ns());
+    start_planning();
+  }
 }
 
 void AgentProcess::report(const Update& update) {
-  if (update.started) report_("started");
-  if (!update.died.empty()) {
-    if (log_) log_->append(now_ns(), "died", count(update.died));
-    report_("died", {{"agents", count(update.died)}});
-  }
-  if (!update.returned.empty()) report_("returned", {{"agents", count(update.returned)}});
+  const auto say = [this](std::string_view event, const json& fields) {
+    log(event, fields);
+    report_(event, fields);
+  };
+  if (update.started) say("started", json::object());
+  if (!update.died.empty()) say("died", {{"agents", count(update.died)}});
+  if (!update.returned.empty()) say("returned", {{"agents", count(update.returned)}});
+  if (update.agreement_lost) say("reopened", json::object());
   if (update.decision && update.decision->changed)
     report_("round", {{"round", update.decision->round}, {"tasks", update.decision->path.size()}});
-  if (update.agreement_lost) report_("reopened");
   if (update.agreed)
     report_("agreed", {{"view_hash", hex(update.agreed->view_hash)},
                        {"round", update.agreed->round},
@@ -165,29 +190,54 @@ void AgentProcess::report(const Update& update) {
                        {"members", count(update.agreed->members)}});
 }
 
-/// Plans the route for what was won, says so to all, and only then to the auction.
-void AgentProcess::fly(const Agreement& agreement) {
-  const double agreed_s = seconds(now_ns());
+void AgentProcess::start_planning() {
+  if (!to_plan_ || planning_.valid())
+    return;  // one at a time; the next one starts when this is done
   const auto self = std::find_if(mission_->fleet.begin(), mission_->fleet.end(),
                                  [this](const Uav& uav) { return uav.id == options_.id; });
-  const Route route = plan_route(*mission_, agent_->tasks(), agreement.path, *self, *transit_);
-  if (options_.run)
-    write_route_file(*options_.run, options_.id, *mission_, agent_->tasks(), agreement, route,
-                     agreed_s);
+  planning_ = std::async(std::launch::async,
+                         [this, mission = mission_, transit = transit_, tasks = &agent_->tasks(),
+                          uav = *self, hash = to_plan_->view_hash, path = to_plan_->path] {
+                           Planned planned{hash, plan_route(*mission, *tasks, path, uav, *transit)};
+                           bus_.wake();
+                           return planned;
+                         });
+}
+
+void AgentProcess::fly_if_planned() {
+  if (!planning_.valid() ||
+      planning_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+    return;
+  const Planned planned = planning_.get();
+  if (!to_plan_ || to_plan_->view_hash != planned.view_hash) return start_planning();  // outdated
+  publish(*std::exchange(to_plan_, std::nullopt), planned.route);
+}
+
+/// Says what was won and how it is flown: on disk, to all, and only then to the auction.
+void AgentProcess::publish(const Agreement& agreement, const Route& route) {
+  if (options_.run) {
+    try {
+      write_route_file(*options_.run, options_.id, *mission_, agent_->tasks(), agreement, route,
+                       agreed_s_);
+    } catch (const std::runtime_error& error) {
+      report_("warning", {{"text", error.what()}});
+    }
+  }
   RouteMessage message;
-  message.header = {options_.id, incarnation_, ++sequence_, digest(*mission_),
+  message.header = {options_.id, incarnation_, ++sequence_, mission_digest_,
                     agent_->tasks().digest};
   message.view_hash = agreement.view_hash;
   message.length_m = route.length_m;
   message.time_s = route.time_s;
   message.legs = route.legs;
-  bus_.publish(message);
-  if (log_) log_->commit();
-  report_("routed", {{"view_hash", hex(agreement.view_hash)},
-                     {"members", count(agreement.members)},
-                     {"pieces", route.pieces},
+  log("sent_route", {{"view_hash", hex(agreement.view_hash)},
                      {"length_m", route.length_m},
-                     {"time_s", route.time_s}});
+                     {"time_s", route.time_s},
+                     {"legs", route.legs.size()}});
+  if (log_) log_->commit();
+  bus_.publish(message);
+  report_("routed",
+          {{"view_hash", hex(agreement.view_hash)}, {"members", count(agreement.members)}});
   step({now_ns(), RoutePublished{agreement.view_hash}});
 }
 
@@ -199,7 +249,7 @@ void AgentProcess::report_traffic(bool last) {
                     {"received", traffic.received},
                     {"dropped", traffic.dropped + refused_},
                     {"bytes", traffic.bytes_sent}};
-  if (last && log_) log_->append(now_ns(), "traffic", fields);
+  if (last) log("traffic", fields);
   report_("traffic", fields);
 }
 

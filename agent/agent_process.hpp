@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <future>
 #include <memory>
 #include <optional>
 
@@ -9,6 +10,7 @@
 #include "core/io/config.hpp"
 #include "core/io/process/process.hpp"
 #include "core/io/run/run_log.hpp"
+#include "core/route/route.hpp"
 #include "idl/bus.hpp"
 
 namespace arcbid {
@@ -17,14 +19,14 @@ struct AgentOptions {
   AgentId id;
   NetworkConfig network;
   std::uint32_t domain = 0;
-  std::uint32_t fleet_size = 4;                 ///< until the mission says it
-  std::optional<std::filesystem::path> run;     ///< run directory; none: no files are written
-  TimeNs epoch_ns = 0;                          ///< launch, on the monotonic clock
+  std::uint32_t fleet_size = 4;              ///< until the mission says it
+  std::optional<std::filesystem::path> run;  ///< run directory; none: no files are written
+  TimeNs epoch_ns = 0;                       ///< launch, on the monotonic clock
   bool json_events = false;
 };
 
-/// One UAV's process: carries events from DDS and the clock into the auction's state machine, and its updates
-/// out to DDS, to the log and to whoever started it. Decides nothing itself.
+/// One UAV's process: carries events from DDS and the clock into the auction's state machine, and
+/// its updates out to DDS, to the log and to whoever started it. Decides nothing itself.
 class AgentProcess {
  public:
   explicit AgentProcess(AgentOptions options);
@@ -43,7 +45,10 @@ class AgentProcess {
   void step(Event event);
   void carry_out(Update& update);
   void report(const Update& update);
-  void fly(const Agreement& agreement);
+  void start_planning();
+  void fly_if_planned();
+  void publish(const Agreement& agreement, const Route& route);
+  void log(std::string_view kind, const nlohmann::json& body);
   void refuse(const std::string& reason);
   void ask_for_mission();
   void report_traffic(bool last);
@@ -57,6 +62,16 @@ class AgentProcess {
   std::shared_ptr<const Mission> mission_;
   std::shared_ptr<const Transit> transit_;
   std::unique_ptr<Agent> agent_;  // once the mission is known
+  std::uint64_t mission_digest_ = 0;
+  // A tour may take longer than a lease: it is planned beside the loop, which goes on saying that
+  // this agent lives.
+  std::optional<Agreement> to_plan_;  // the newest agreement, until its route is published
+  double agreed_s_ = 0;
+  struct Planned {
+    std::uint64_t view_hash = 0;
+    Route route;
+  };
+  std::future<Planned> planning_;
   TimeNs wake_ns_ = 0;
   TimeNs traffic_reported_ns_ = 0;
   std::uint64_t refused_ = 0;

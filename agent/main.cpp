@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
 #include "agent/agent_process.hpp"
 #include "core/io/process/command_line.hpp"
 
@@ -6,8 +8,10 @@ int main(int argc, char** argv) {
   using namespace arcbid;
   stop_on_signals();
   CLI::App app{
-      "One UAV of the fleet. Waits for a mission on the network, bids for its arcs, and once agreement "
-      "is proven plans and publishes its route. 'arcbid run' starts these by itself; on several hosts "
+      "One UAV of the fleet. Waits for a mission on the network, bids for its arcs, and once "
+      "agreement "
+      "is proven plans and publishes its route. 'arcbid run' starts these by itself; on several "
+      "hosts "
       "start one on each, all with the same CONFIG.",
       "arcbid-agent"};
   app.set_version_flag("--version", ARCBID_VERSION);
@@ -15,7 +19,7 @@ int main(int argc, char** argv) {
   std::uint32_t id = 0;
   std::optional<std::uint32_t> domain;
   AgentOptions options;
-  bool with_parent = false;
+  int parent = 0;
   app.add_option("config", config_file, "the run's YAML file; its network and fleet size are used")
       ->required();
   app.add_option("--id", id, "this agent's id, as in the fleet")
@@ -24,15 +28,23 @@ int main(int argc, char** argv) {
   app.add_option("--domain", domain, "DDS domain id (default: the config's)")
       ->check(CLI::Range(0, 232));
   app.add_option("--run", run, "run directory for route and event log (default: none is written)");
-  app.add_option("--epoch-ns", options.epoch_ns, "launch time on the monotonic clock (default: now)");
+  app.add_option("--epoch-ns", options.epoch_ns,
+                 "launch time on the monotonic clock (default: now)");
   app.add_flag("--json-events", options.json_events, "report one JSON object a line");
-  app.add_flag("--with-parent", with_parent, "end when the process that started this one ends");
+  app.add_option("--parent", parent, "end when this process, the one that started it, ends");
   return run_command_line(app, argc, argv, [&] {
-    if (with_parent) end_with_parent();
+    if (parent != 0) end_with_parent(parent);
     const Config config = load_config(config_file);
     options.id = {id};
+    const std::vector<AgentId> fleet = fleet_ids(config);
+    if (std::find(fleet.begin(), fleet.end(), options.id) == fleet.end()) {
+      std::string legal;
+      for (const AgentId agent : fleet) legal += fmt::format(" {}", agent.value);
+      throw InputError(
+          fmt::format("--id {}: is not of the fleet in {}; legal are{}", id, config_file, legal));
+    }
     options.network = config.network;
-    options.domain = domain.value_or(config.network.domain.value_or(0));
+    options.domain = domain_of(domain, config);
     options.fleet_size = fleet_size(config);
     if (!run.empty()) options.run = run;
     if (options.epoch_ns == 0) options.epoch_ns = monotonic_ns();

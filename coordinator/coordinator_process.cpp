@@ -19,6 +19,7 @@ using nlohmann::json;
 using namespace std::chrono_literals;
 
 constexpr TimeNs repeat_interval_ns = 1'000'000'000;
+constexpr TimeNs alone_ns = 3'000'000'000;
 constexpr TimeNs farewell_ns = 2'000'000'000;  // for the last message to reach everybody
 
 }  // namespace
@@ -29,8 +30,7 @@ CoordinatorProcess::CoordinatorProcess(CoordinatorOptions options)
       bus_(options_.config.network, options_.domain, BusRole::coordinator, "arcbid-coordinator",
            fleet_size(options_.config)) {
   if (options_.run) {
-    std::filesystem::create_directories(*options_.run / "logs");
-    log_.emplace(*options_.run / "logs" / fmt::format("coordinator.{}.sqlite", boot_stamp_ms()));
+    log_.emplace(*options_.run / "logs" / fmt::format("coordinator.{}.sqlite", birth_stamp_ms()));
     log_->meta("schema", 1);
     log_->meta("process",
                {{"role", "coordinator"}, {"pid", getpid()}, {"version", ARCBID_VERSION}});
@@ -47,8 +47,9 @@ Exit CoordinatorProcess::run() {
     for (const Received& received : bus_.wait(50ms))
       std::visit([this](const auto& message) { handle(message); }, received);
     publish_again_if_wanted();
+    warn_if_alone();
     if (log_) log_->commit_if_due(now_ns());
-    if (const auto hash = progress_->complete()) {
+    if (const auto hash = progress_->complete(now_ns())) {
       report_("complete", {{"view_hash", hex(*hash)}});
       end_mission(Command::complete, "every living agent has published its route");
       return Exit::done;
@@ -64,9 +65,10 @@ Exit CoordinatorProcess::run() {
 }
 
 void CoordinatorProcess::publish_mission() {
-  const auto id = Digest().add(boot_stamp_ms()).add(std::uint64_t(getpid())).value();
+  const auto id = Digest().add(birth_stamp_ms()).add(std::uint64_t(getpid())).value();
   MissionPlan plan = plan_mission(options_.config, id);
   mission_ = std::move(plan.mission);
+  mission_digest_ = digest(mission_);
   progress_.emplace(mission_);
   for (const std::string& warning : plan.warnings) report_("warning", {{"text", warning}});
   if (options_.run) write_arcs_file(*options_.run, mission_);
@@ -90,21 +92,35 @@ void CoordinatorProcess::publish_again_if_wanted() {
   published_ns_ = now_ns();
 }
 
+/// Silence has a cause that a person can mend: say which, once.
+void CoordinatorProcess::warn_if_alone() {
+  if (warned_alone_ || now_ns() - published_ns_ < alone_ns || bus_.matched_agents() > 0) return;
+  warned_alone_ = true;
+  const NetworkConfig& network = options_.config.network;
+  report_("warning",
+          {{"text", network.transport == TransportKind::discovery_server
+                        ? fmt::format("no agent found yet: is a discovery server running at {}:{}?",
+                                      network.server_address, network.server_port)
+                        : fmt::format("no agent found yet on {} in domain {}",
+                                      network.interface_address, options_.domain)}});
+}
+
 void CoordinatorProcess::handle(const StatusMessage& status) {
-  const bool of_this_mission = status.header.mission_digest == digest(mission_);
+  const bool of_this_mission = status.header.mission_digest == mission_digest_;
   if (!of_this_mission && status.phase != Phase::waiting_for_mission) return;
-  progress_->heard(status);
+  progress_->heard(status, now_ns());
   if (log_) log_->append(now_ns(), "status", to_json(status));
 }
 
 void CoordinatorProcess::handle(const RouteMessage& route) {
-  if (route.header.mission_digest != digest(mission_)) return;
+  if (route.header.mission_digest != mission_digest_) return;
   progress_->heard(route);
   if (log_)
-    log_->append(now_ns(), "route", {{"agent", route.header.sender.value},
-                                     {"view_hash", hex(route.view_hash)},
-                                     {"length_m", route.length_m},
-                                     {"time_s", route.time_s}});
+    log_->append(now_ns(), "route",
+                 {{"agent", route.header.sender.value},
+                  {"view_hash", hex(route.view_hash)},
+                  {"length_m", route.length_m},
+                  {"time_s", route.time_s}});
 }
 
 void CoordinatorProcess::handle(const Malformed& malformed) {
@@ -113,7 +129,12 @@ void CoordinatorProcess::handle(const Malformed& malformed) {
 }
 
 void CoordinatorProcess::end_mission(Command command, const std::string& reason) {
-  bus_.publish(ControlMessage{digest(mission_), command, reason});
+  if (log_) {
+    log_->append(now_ns(), "sent_control",
+                 {{"command", static_cast<int>(command)}, {"reason", reason}});
+    log_->commit();
+  }
+  bus_.publish(ControlMessage{mission_digest_, command, reason});
   const TimeNs farewell = now_ns() + farewell_ns;
   while (bus_.matched_agents() > 0 && now_ns() < farewell && !stop_requested()) bus_.wait(20ms);
   if (log_) log_->append(now_ns(), "end", {{"reason", reason}});

@@ -20,8 +20,9 @@ struct CoordinatorOptions {
   bool json_events = false;
 };
 
-/// Publishes the mission, repeats it to whoever lacks it, and ends it when every living agent has proven agreement
-/// and published its route. It takes no part in the auction: agents finish without it.
+/// Publishes the mission, repeats it to whoever lacks it, and ends it when every living agent has
+/// proven agreement and published its route. It takes no part in the auction: agents finish without
+/// it.
 class CoordinatorProcess {
  public:
   explicit CoordinatorProcess(CoordinatorOptions options);
@@ -36,6 +37,7 @@ class CoordinatorProcess {
 
   void publish_mission();
   void publish_again_if_wanted();
+  void warn_if_alone();
   void end_mission(Command command, const std::string& reason);
   void report_traffic();
   TimeNs now_ns() const { return monotonic_ns() - options_.epoch_ns; }
@@ -45,8 +47,10 @@ class CoordinatorProcess {
   std::optional<RunLog> log_;
   Bus bus_;
   Mission mission_;
+  std::uint64_t mission_digest_ = 0;
   std::optional<Progress> progress_;
   TimeNs published_ns_ = 0;
+  bool warned_alone_ = false;
 };
 
 }  // namespace arcbid

@@ -3,11 +3,11 @@
 
 namespace arcbid {
 
-Progress::Progress(const Mission& mission) {
+Progress::Progress(const Mission& mission) : lease_ns_(mission.auction.lease_ns) {
   for (const Uav& uav : mission.fleet) roster_.push_back(uav.id);
 }
 
-void Progress::heard(const StatusMessage& status) {
+void Progress::heard(const StatusMessage& status, TimeNs now_ns) {
   if (status.phase == Phase::waiting_for_mission) {
     mission_wanted_ = true;
     return;
@@ -16,14 +16,21 @@ void Progress::heard(const StatusMessage& status) {
   const auto stamp = [](const Header& h) { return std::pair(h.incarnation, h.sequence); };
   if (known != status_.end() && stamp(status.header) <= stamp(known->second.header)) return;
   status_[status.header.sender] = status;
+  heard_ns_[status.header.sender] = now_ns;
 }
 
-void Progress::heard(const RouteMessage& route) { routed_[route.header.sender] = route.view_hash; }
+void Progress::heard(const RouteMessage& route) {
+  routed_[route.header.sender] = route.view_hash;
+}
 
-bool Progress::complete_under(const StatusMessage& witness) const {
+bool Progress::complete_under(const StatusMessage& witness, TimeNs now_ns) const {
   if (witness.phase != Phase::routed || witness.view.size() != roster_.size()) return false;
   for (std::size_t k = 0; k < roster_.size(); ++k) {
-    if (witness.view[k].dead) continue;
+    if (witness.view[k].dead) {
+      const auto heard = heard_ns_.find(roster_[k]);
+      if (heard != heard_ns_.end() && now_ns - heard->second < lease_ns_) return false;
+      continue;
+    }
     const auto status = status_.find(roster_[k]);
     const auto route = routed_.find(roster_[k]);
     if (status == status_.end() || route == routed_.end()) return false;
@@ -34,9 +41,9 @@ bool Progress::complete_under(const StatusMessage& witness) const {
   return true;
 }
 
-std::optional<std::uint64_t> Progress::complete() const {
+std::optional<std::uint64_t> Progress::complete(TimeNs now_ns) const {
   for (const auto& [agent, status] : status_)
-    if (complete_under(status)) return status.view_hash;
+    if (complete_under(status, now_ns)) return status.view_hash;
   return std::nullopt;
 }
 

@@ -15,20 +15,23 @@ class Progress {
  public:
   explicit Progress(const Mission& mission);
 
-  void heard(const StatusMessage& status);
+  void heard(const StatusMessage& status, TimeNs now_ns);
   void heard(const RouteMessage& route);
 
-  /// The view hash under which every living member has proven agreement and published its route; none: not yet.
-  std::optional<std::uint64_t> complete() const;
+  /// The view hash under which every living member has proven agreement and published its route;
+  /// none: not yet, or some member was declared dead that was heard since, and will be back.
+  std::optional<std::uint64_t> complete(TimeNs now_ns) const;
   /// Somebody still waits for the mission.
   bool mission_wanted() const { return mission_wanted_; }
   void mission_sent() { mission_wanted_ = false; }
 
  private:
-  bool complete_under(const StatusMessage& witness) const;
+  bool complete_under(const StatusMessage& witness, TimeNs now_ns) const;
 
+  TimeNs lease_ns_;
   std::vector<AgentId> roster_;
   std::map<AgentId, StatusMessage> status_;
+  std::map<AgentId, TimeNs> heard_ns_;
   std::map<AgentId, std::uint64_t> routed_;  // the view hash of its newest route
   bool mission_wanted_ = false;
 };

@@ -20,11 +20,19 @@ Config configured(const RunArguments& arguments) {
   Config config = load_config(arguments.config);
   if (!arguments.structure.empty())
     config.structure.file = std::filesystem::absolute(arguments.structure);
+  if (!config.structure.file && !(arguments.unit.empty() && arguments.up.empty()))
+    throw InputError(
+        "--unit and --up speak of a structure file, and neither --structure nor the config names "
+        "one");
   if (!arguments.unit.empty()) config.structure.unit = arguments.unit;
   if (!arguments.up.empty()) config.structure.up = arguments.up.front();
   if (arguments.agents) {
+    std::vector<Uav>& uavs = config.fleet.uavs;
+    if (!uavs.empty() && *arguments.agents > uavs.size())
+      throw InputError(fmt::format("--agents {}: {} names only {} UAVs in fleet.uavs",
+                                   *arguments.agents, arguments.config, uavs.size()));
+    if (!uavs.empty()) uavs.resize(*arguments.agents);
     config.fleet.agents = *arguments.agents;
-    config.fleet.uavs.clear();
   }
   validate(config);
   return config;
@@ -58,18 +66,26 @@ Exit check_again(const std::string& directory) {
 
 CLI::App* add_run(CLI::App& app, RunArguments& arguments) {
   CLI::App* run = app.add_subcommand(
-      "run", "launch a coordinator and one process per agent on this machine, until every arc is "
-             "allocated and every route is checked");
-  run->add_option("config", arguments.config, "YAML file, e.g. configs/demo.yaml; docs/CONFIG.md has every key")
+      "run",
+      "launch a coordinator and one process per agent on this machine, until every arc is "
+      "allocated and every route is checked");
+  run->add_option("config", arguments.config,
+                  "YAML file, e.g. configs/demo.yaml; docs/CONFIG.md has every key")
       ->required();
-  run->add_option("--agents", arguments.agents, "fleet size instead of the config's")
+  run->add_option("--agents", arguments.agents,
+                  "fleet size instead of the config's; of fleet.uavs the first ones")
+      ->type_name("N")
       ->check(CLI::Range(1, 64));
   run->add_option("--structure", arguments.structure,
-                  "point cloud or mesh instead of the config's: pcd, ply, obj, stl, las, xyz");
-  run->add_option("--unit", arguments.unit, "unit of that file: m, cm, mm, ft, us-ft, in");
-  run->add_option("--up", arguments.up, "axis that points up in that file: x, y, z");
+                  "point cloud or mesh instead of the config's: pcd, ply, obj, stl, las, xyz")
+      ->check(CLI::ExistingFile);
+  run->add_option("--unit", arguments.unit, "unit of that file: m, cm, mm, ft, us-ft, in")
+      ->check(CLI::IsMember({"m", "cm", "mm", "ft", "us-ft", "in"}));
+  run->add_option("--up", arguments.up, "axis that points up in that file: x, y, z")
+      ->check(CLI::IsMember({"x", "y", "z"}));
   run->add_option("--out", arguments.out, "run directory (default: a new one under runs/)");
-  run->add_flag("--print-config", arguments.print_config, "print the config as it would run, and stop");
+  run->add_flag("--print-config", arguments.print_config,
+                "print the config as it would run, and stop");
   return run;
 }
 
@@ -77,9 +93,10 @@ CLI::App* add_run(CLI::App& app, RunArguments& arguments) {
 
 int main(int argc, char** argv) {
   stop_on_signals();
-  CLI::App app{"arcbid: inspection drones that divide a structure's arcs by auction, without a leader.\n"
-               "Exit codes: 0 done and checked, 1 the run failed or its check did, 2 bad input.",
-               "arcbid"};
+  CLI::App app{
+      "arcbid: inspection drones that divide a structure's arcs by auction, without a leader.\n"
+      "Exit codes: 0 done and checked, 1 the run failed or its check did, 2 bad input.",
+      "arcbid"};
   app.set_version_flag("--version", ARCBID_VERSION);
   app.require_subcommand(1);
   RunArguments arguments;
@@ -87,10 +104,14 @@ int main(int argc, char** argv) {
   std::string directory;
   CLI::App* check_command =
       app.add_subcommand("check", "check a run directory again with the independent checker");
-  check_command->add_option("run", directory, "run directory")->required();
+  check_command->add_option("run", directory, "run directory")
+      ->required()
+      ->check(CLI::ExistingDirectory);
   CLI::App* picture_command =
       app.add_subcommand("picture", "draw a run's routes as an SVG file on standard output");
-  picture_command->add_option("run", directory, "run directory")->required();
+  picture_command->add_option("run", directory, "run directory")
+      ->required()
+      ->check(CLI::ExistingDirectory);
   CLI::App* reference_command =
       app.add_subcommand("config-reference", "print every key of a config, its range and default");
   return run_command_line(app, argc, argv, [&] {

@@ -9,8 +9,9 @@
 
 namespace arcbid {
 
-/// A process of ours: started with its standard output on a pipe, ended only by its PID. It ends by itself
-/// (--with-parent) when this process does. Its standard error is ours.
+/// A process of ours: started with its standard output on a pipe, ended only by its PID. It ends by
+/// itself
+/// (--parent) when this process does. Its standard error is ours.
 class Child {
  public:
   /// `command`: program path and arguments. Throws InputError when it cannot be started.

@@ -19,8 +19,9 @@ class Console {
   void wipe();
   bool terminal_;
   bool dirty_ = false;  // a passing line is on screen
-  std::size_t up_ = 0, started_ = 0, agreed_ = 0, routed_ = 0, warnings_ = 0;
-  bool published_ = false;
+  std::size_t warnings_ = 0;
+  bool published_ = false, up_ = false, started_ = false, agreed_ = false, routed_ = false;
+  bool refusal_told_ = false;
 };
 
 }  // namespace arcbid

@@ -14,9 +14,10 @@ struct LaunchOptions {
   std::filesystem::path programs;  ///< where arcbid-agent and arcbid-coordinator are
 };
 
-/// `arcbid run`: a coordinator and N agents as processes of their own, supervised until every living agent has
-/// published its route, then checked, counted and shown. Leaves nothing running. Exit::done only when the checker agrees;
-/// check_failed when it does not, the run was stopped or took too long; bad_input when the coordinator says so.
+/// `arcbid run`: a coordinator and N agents as processes of their own, supervised until every
+/// living agent has published its route, then checked, counted and shown. Leaves nothing running.
+/// Exit::done only when the checker agrees; check_failed when it does not, the run was stopped or
+/// took too long; bad_input when the coordinator says so.
 Exit launch(const LaunchOptions& options);
 
 }  // namespace arcbid

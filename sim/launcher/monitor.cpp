@@ -24,9 +24,12 @@ void Monitor::heard(std::uint32_t id, const json& event) {
   } else if (kind == "published") {
     arcs_ = event.at("arcs").get<std::size_t>();
     metres_ = event.at("metres");
-    published_s_ = event.at("time_s");
   } else if (kind == "complete") {
     complete_ = true;
+  } else if (kind == "timeout") {
+    given_up_ = true;
+  } else if (kind == "refused") {
+    if (refused_++ == 0) first_refusal_ = event.at("reason");
   }
   const auto found = agents_.find(id);
   if (found == agents_.end()) return;
@@ -43,9 +46,9 @@ void Monitor::heard(std::uint32_t id, const json& event) {
   } else if (kind == "reopened") {
     agent.agreed_hash.clear();
   } else if (kind == "died") {
-    for (const json& dead : event.at("agents")) died_.insert(dead.get<std::uint32_t>());
+    for (const json& dead : event.at("agents")) agents_.at(dead.get<std::uint32_t>()).gone = true;
   } else if (kind == "returned") {
-    for (const json& back : event.at("agents")) died_.erase(back.get<std::uint32_t>());
+    for (const json& back : event.at("agents")) agents_.at(back.get<std::uint32_t>()).gone = false;
   } else if (kind == "agreed") {
     agent.agreed_hash = event.at("view_hash");
     agent.agreed_s = event.at("time_s");
@@ -53,9 +56,6 @@ void Monitor::heard(std::uint32_t id, const json& event) {
   } else if (kind == "routed") {
     agent.routed_hash = event.at("view_hash");
     agent.members = event.at("members").get<std::set<std::uint32_t>>();
-    agent.pieces = event.at("pieces");
-    agent.length_m = event.at("length_m");
-    agent.time_s = event.at("time_s");
   }
 }
 
@@ -67,8 +67,8 @@ std::optional<Monitor::Outcome> Monitor::outcome() const {
   for (const auto& [id, witness] : agents_) {
     if (witness.routed_hash.empty() || witness.routed_hash != witness.agreed_hash) continue;
     Outcome outcome{witness.routed_hash, witness.members, 0, 0};
-    const bool all = std::all_of(
-        witness.members.begin(), witness.members.end(), [&](std::uint32_t member) {
+    const bool all =
+        std::all_of(witness.members.begin(), witness.members.end(), [&](std::uint32_t member) {
           const AgentProgress& agent = agents_.at(member);
           outcome.rounds = std::max(outcome.rounds, agent.round);
           outcome.agreed_s = std::max(outcome.agreed_s, agent.agreed_s);

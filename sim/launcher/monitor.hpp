@@ -17,13 +17,11 @@ namespace arcbid {
 struct AgentProgress {
   bool up = false, has_mission = false, started = false;
   std::uint32_t round = 0;
-  std::string agreed_hash;   ///< empty: no agreement, or it was reopened
-  double agreed_s = 0;       ///< since launch
-  std::string routed_hash;   ///< the agreement its newest route is for
+  std::string agreed_hash;  ///< empty: no agreement, or it was reopened
+  double agreed_s = 0;      ///< since launch
+  std::string routed_hash;  ///< the agreement its newest route is for
   std::set<std::uint32_t> members;
-  std::size_t pieces = 0;
-  double length_m = 0, time_s = 0;
-  bool gone = false;         ///< its process has ended
+  bool gone = false;  ///< its process has ended, or the others declared it dead
 };
 
 struct Traffic {
@@ -52,20 +50,22 @@ class Monitor {
   Traffic traffic() const;
   std::optional<std::size_t> arcs() const { return arcs_; }  ///< once published
   double metres() const { return metres_; }
-  double published_s() const { return published_s_; }
   std::size_t tasks() const { return tasks_; }
-  bool complete() const { return complete_; }      ///< the coordinator said so
-  const std::set<std::uint32_t>& died() const { return died_; }  ///< declared dead by an agent
+  bool complete() const { return complete_; }         ///< the coordinator said so
+  bool given_up() const { return given_up_; }         ///< the coordinator said that time is over
+  std::uint64_t refused() const { return refused_; }  ///< messages that some process refused
+  const std::string& first_refusal() const { return first_refusal_; }
   const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
   std::map<std::uint32_t, AgentProgress> agents_;
   std::map<std::uint32_t, Traffic> traffic_;
   std::optional<std::size_t> arcs_;
-  double metres_ = 0, published_s_ = 0;
+  double metres_ = 0;
   std::size_t tasks_ = 0;
-  bool complete_ = false;
-  std::set<std::uint32_t> died_;
+  bool complete_ = false, given_up_ = false;
+  std::uint64_t refused_ = 0;
+  std::string first_refusal_;
   std::vector<std::string> warnings_;
 };
 

@@ -67,23 +67,23 @@ std::string result_table(const json& r) {
   text += '\n';
   row("makespan", fmt::format("{:.1f} s", r["makespan_s"].get<double>()));
   row("total length", fmt::format("{:.1f} m", r["total_length_m"].get<double>()));
-  row("uniformity E", fmt::format("{:.4f} on tasks, {:.4g} on flight time",
-                                  r["uniformity"]["count"].get<double>(),
-                                  r["uniformity"]["time"].get<double>()));
-  row("agreement", agreement["reached"].get<bool>()
-                       ? fmt::format("proven {:.2f} s after launch, {} rounds",
-                                     agreement["time_s"].get<double>(),
-                                     agreement["rounds"].get<int>())
-                       : "not reached");
-  row("messages", fmt::format("{} sent ({} kB), {} received, {} dropped",
-                              messages["sent"].get<std::uint64_t>(),
-                              messages["bytes"].get<std::uint64_t>() / 1000,
-                              messages["received"].get<std::uint64_t>(),
-                              messages["dropped"].get<std::uint64_t>()));
+  row("uniformity E",
+      fmt::format("{:.4f} on tasks, {:.4g} on flight time", r["uniformity"]["count"].get<double>(),
+                  r["uniformity"]["time"].get<double>()));
+  row("agreement",
+      agreement["reached"].get<bool>()
+          ? fmt::format("proven {:.2f} s after launch, {} rounds",
+                        agreement["time_s"].get<double>(), agreement["rounds"].get<int>())
+          : "not reached");
+  row("messages",
+      fmt::format("{} sent ({} kB), {} received, {} dropped", messages["sent"].get<std::uint64_t>(),
+                  messages["bytes"].get<std::uint64_t>() / 1000,
+                  messages["received"].get<std::uint64_t>(),
+                  messages["dropped"].get<std::uint64_t>()));
   std::string verdict;
   for (const auto& [name, holds] : checks.items())
-    verdict += fmt::format("{}{} {}", verdict.empty() ? "" : ", ", name,
-                           holds.get<bool>() ? "yes" : "NO");
+    verdict +=
+        fmt::format("{}{} {}", verdict.empty() ? "" : ", ", name, holds.get<bool>() ? "yes" : "NO");
   row("checked", verdict);
   return text;
 }

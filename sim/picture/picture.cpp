@@ -50,7 +50,8 @@ json read(const std::filesystem::path& file) {
 std::vector<Line> lines_of(const std::filesystem::path& run, const json& fleet) {
   std::vector<Line> lines;
   for (std::size_t i = 0; i < fleet.size(); ++i) {
-    const auto file = run / "routes" / fmt::format("agent_{}.json", fleet[i].at("agent").get<int>());
+    const auto file =
+        run / "routes" / fmt::format("agent_{}.json", fleet[i].at("agent").get<int>());
     if (!std::filesystem::exists(file)) continue;  // died on the way
     const json delivered = read(file);
     for (const json& leg : delivered.at("route").at("legs")) {
@@ -111,10 +112,11 @@ std::string draw(const std::filesystem::path& run) {
       if (line.transit == transit) svg += svg_of(line, sheet);
   for (std::size_t i = 0; i < homes.size(); ++i) {
     const Point at = sheet.on(homes[i]);
-    svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"6\" fill=\"{}\"/>\n"
-                       "<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"16\" fill=\"#333333\">{}</text>\n",
-                       at.x, at.y, kColours[i % kColours.size()], at.x + 9, at.y + 6,
-                       fleet[i].at("agent").get<int>());
+    svg += fmt::format(
+        "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"6\" fill=\"{}\"/>\n"
+        "<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"16\" fill=\"#333333\">{}</text>\n",
+        at.x, at.y, kColours[i % kColours.size()], at.x + 9, at.y + 6,
+        fleet[i].at("agent").get<int>());
   }
   return svg + "</svg>\n";
 }
@@ -125,7 +127,8 @@ std::string draw_routes(const std::filesystem::path& run) {
   try {
     return draw(run);
   } catch (const json::exception& error) {
-    throw InputError(fmt::format("{}: is not a whole run directory: {}", run.string(), error.what()));
+    throw InputError(
+        fmt::format("{}: is not a whole run directory: {}", run.string(), error.what()));
   }
 }
 

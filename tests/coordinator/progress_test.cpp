@@ -6,13 +6,16 @@
 namespace arcbid {
 namespace {
 
+constexpr TimeNs now = 100'000'000'000;
+
 Mission two_agents() {
   Mission mission;
   mission.fleet = {{{1}, Vec3::Zero(), 1}, {{2}, Vec3::Zero(), 1}};
   return mission;
 }
 
-StatusMessage status(std::uint32_t agent, Phase phase, std::uint64_t hash, bool second_is_dead = false) {
+StatusMessage status(std::uint32_t agent, Phase phase, std::uint64_t hash,
+                     bool second_is_dead = false) {
   StatusMessage message;
   message.header = {{agent}, 1000, 5, 1, 1};
   message.phase = phase;
@@ -30,31 +33,40 @@ RouteMessage route(std::uint32_t agent, std::uint64_t hash) {
 
 TEST(Progress, IsCompleteWhenEveryLivingMemberIsRoutedUnderOneView) {
   Progress progress(two_agents());
-  progress.heard(status(1, Phase::routed, 7));
+  progress.heard(status(1, Phase::routed, 7), now);
   progress.heard(route(1, 7));
-  progress.heard(status(2, Phase::agreed, 7));
-  EXPECT_FALSE(progress.complete()) << "agent 2 has no route yet";
+  progress.heard(status(2, Phase::agreed, 7), now);
+  EXPECT_FALSE(progress.complete(now)) << "agent 2 has no route yet";
   progress.heard(route(2, 7));
   StatusMessage later = status(2, Phase::routed, 7);
   later.header.sequence = 6;
-  progress.heard(later);
-  EXPECT_EQ(progress.complete(), 7u);
+  progress.heard(later, now);
+  EXPECT_EQ(progress.complete(now), 7u);
 }
 
 TEST(Progress, WantsTheRouteOfThisAgreementNotOfAnEarlierOne) {
   Progress progress(two_agents());
   for (const std::uint32_t agent : {1u, 2u}) {
-    progress.heard(status(agent, Phase::routed, 8));
+    progress.heard(status(agent, Phase::routed, 8), now);
     progress.heard(route(agent, agent == 1 ? 8 : 7));
   }
-  EXPECT_FALSE(progress.complete());
+  EXPECT_FALSE(progress.complete(now));
 }
 
 TEST(Progress, DoesNotWaitForTheDead) {
   Progress progress(two_agents());
-  progress.heard(status(1, Phase::routed, 9, true));
+  progress.heard(status(1, Phase::routed, 9, true), now);
   progress.heard(route(1, 9));
-  EXPECT_EQ(progress.complete(), 9u);
+  EXPECT_EQ(progress.complete(now), 9u);
+}
+
+TEST(Progress, WaitsForAMemberThatWasBuriedAlive) {
+  Progress progress(two_agents());
+  progress.heard(status(2, Phase::auction, 0), now);
+  progress.heard(status(1, Phase::routed, 9, true), now);
+  progress.heard(route(1, 9));
+  EXPECT_FALSE(progress.complete(now)) << "agent 2 was heard just now";
+  EXPECT_EQ(progress.complete(now + 60'000'000'000), 9u);
 }
 
 TEST(Progress, IgnoresAnOlderStatusThatComesLate) {
@@ -62,15 +74,15 @@ TEST(Progress, IgnoresAnOlderStatusThatComesLate) {
   StatusMessage reopened = status(1, Phase::auction, 0, true);
   reopened.header.sequence = 9;
   progress.heard(route(1, 9));
-  progress.heard(reopened);
-  progress.heard(status(1, Phase::routed, 9, true));
-  EXPECT_FALSE(progress.complete());
+  progress.heard(reopened, now);
+  progress.heard(status(1, Phase::routed, 9, true), now);
+  EXPECT_FALSE(progress.complete(now));
 }
 
 TEST(Progress, KnowsWhenSomebodyLacksTheMission) {
   Progress progress(two_agents());
   EXPECT_FALSE(progress.mission_wanted());
-  progress.heard(status(2, Phase::waiting_for_mission, 0));
+  progress.heard(status(2, Phase::waiting_for_mission, 0), now);
   EXPECT_TRUE(progress.mission_wanted());
   progress.mission_sent();
   EXPECT_FALSE(progress.mission_wanted());

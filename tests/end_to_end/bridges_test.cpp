@@ -27,10 +27,13 @@ TEST_P(Bridges, AreAllocatedAndChecked) {
 
 std::vector<Case> all() {
   std::vector<Case> cases;
-  for (const auto& [file, unit] : std::vector<std::pair<std::string, std::string>>{
-           {"truss_span_48m.ply", "m"}, {"quinte_skyway.stl", "m"},
-           {"duluth_aerial_lift_bridge.obj", "m"}, {"gazebo_truss_bridge.ply", "m"},
-           {"gazebo_cloverleaf_inches.obj", "in"}, {"girder_bridge_cloud.pcd", "m"}})
+  for (const auto& [file, unit] :
+       std::vector<std::pair<std::string, std::string>>{{"truss_span_48m.ply", "m"},
+                                                        {"quinte_skyway.stl", "m"},
+                                                        {"duluth_aerial_lift_bridge.obj", "m"},
+                                                        {"gazebo_truss_bridge.ply", "m"},
+                                                        {"gazebo_cloverleaf_inches.obj", "in"},
+                                                        {"girder_bridge_cloud.pcd", "m"}})
     for (const int agents : {2, 4, 6}) cases.push_back({file, unit, agents});
   cases.push_back({"girder_bridge_cloud.pcd", "m", 16});
   return cases;

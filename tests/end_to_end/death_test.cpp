@@ -25,9 +25,9 @@ struct Moment {
   int delay_ms;
 };
 
-class Death : public ::testing::TestWithParam<Moment> {};
+class DeathAt : public ::testing::TestWithParam<Moment> {};
 
-TEST_P(Death, OfAnAgentIsNoticedAndItsWorkIsDoneByTheOthers) {
+TEST_P(DeathAt, OfAnAgentIsNoticedAndItsWorkIsDoneByTheOthers) {
   const Scratch scratch;
   Launched run({"run", slow_config(scratch).string(), "--out", (scratch / "run").string()});
   const auto processes = processes_of(scratch / "run");
@@ -42,12 +42,11 @@ TEST_P(Death, OfAnAgentIsNoticedAndItsWorkIsDoneByTheOthers) {
   EXPECT_TRUE(all_gone(processes, 0));
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    At, Death,
-    ::testing::Values(Moment{"before_the_barrier", "mission published", 0},
-                      Moment{"the_first_round", "bidding for", 0},
-                      Moment{"a_later_round", "bidding for", 300}),
-    [](const auto& at) { return at.param.name; });
+INSTANTIATE_TEST_SUITE_P(Moments, DeathAt,
+                         ::testing::Values(Moment{"before_the_barrier", "mission published", 0},
+                                           Moment{"the_first_round", "bidding for", 0},
+                                           Moment{"a_later_round", "bidding for", 300}),
+                         [](const auto& at) { return at.param.name; });
 
 TEST(CoordinatorDeath, AfterPublishingCostsNothing) {
   const Scratch scratch;
@@ -72,6 +71,41 @@ TEST(CoordinatorDeath, BeforePublishingEndsTheRunAndSaysSo) {
   EXPECT_EQ(run.wait_for_end(60), 1) << run.output();
   EXPECT_NE(run.output().find("nothing was begun"), std::string::npos) << run.output();
   EXPECT_TRUE(all_gone(processes, 0));
+}
+
+TEST(Death, AfterAgreementLosesNothingThatWasAgreed) {
+  const Scratch scratch;
+  Launched run({"run", slow_config(scratch).string(), "--out", (scratch / "run").string()});
+  const auto processes = processes_of(scratch / "run");
+  ASSERT_TRUE(run.wait_for("agreement proven", 30)) << run.output();
+  kill(processes.at("agent 2"), SIGKILL);
+  ASSERT_EQ(run.wait_for_end(60), 0) << run.output();
+  // Either its route was out already and counts, or the others have agreed anew without it.
+  const auto result = read_json(scratch / "run/result.json");
+  const std::size_t agents = result["agents"];
+  EXPECT_GE(agents, 3u);
+  expect_checked(result, agents);
+}
+
+TEST(Death, OfAllAgentsEndsTheRunAtOnce) {
+  const Scratch scratch;
+  Launched run({"run", slow_config(scratch).string(), "--out", (scratch / "run").string()});
+  const auto processes = processes_of(scratch / "run");
+  ASSERT_TRUE(run.wait_for("bidding for", 30)) << run.output();
+  for (const auto& [name, pid] : processes)
+    if (name != "coordinator") kill(pid, SIGKILL);
+  EXPECT_EQ(run.wait_for_end(20), 1) << run.output();
+  EXPECT_NE(run.output().find("no agent is left"), std::string::npos) << run.output();
+}
+
+TEST(Timeout, IsToldOnceAndIsAFailure) {
+  const Scratch scratch;
+  const auto config =
+      scratch.file("short.yaml", "auction: {tick_ms: 400, lease_ms: 2000}\ntimeout_s: 1\n");
+  Launched run({"run", config.string(), "--out", (scratch / "run").string()});
+  EXPECT_EQ(run.wait_for_end(40), 1) << run.output();
+  EXPECT_NE(run.output().find("given up: not done after 1"), std::string::npos) << run.output();
+  EXPECT_EQ(run.output().find("take over"), std::string::npos) << run.output();
 }
 
 class Stop : public ::testing::TestWithParam<int> {};

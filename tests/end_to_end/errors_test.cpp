@@ -2,6 +2,9 @@
 // Bad input, as a user meets it: one clear line, exit code 2, nothing left running.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
+
 #include "tests/end_to_end/launched.hpp"
 
 namespace arcbid::testing {
@@ -10,9 +13,21 @@ namespace {
 TEST(Errors, OfAConfigAreToldAllAtOnce) {
   const Scratch scratch;
   const auto config = scratch.file("bad.yaml", "fleet: {agents: -3}\ncoverage: {stand_off_m: 4}\n");
-  ::testing::internal::CaptureStderr();
   Launched run({"run", config.string()});
   EXPECT_EQ(run.wait_for_end(10), 2);
+  EXPECT_NE(run.output().find("bad.yaml:1:17: fleet.agents"), std::string::npos) << run.output();
+  EXPECT_NE(run.output().find("bad.yaml:2:12: coverage.stand_off_m"), std::string::npos)
+      << run.output();
+}
+
+TEST(Errors, OfTheNetworkAreToldOnce) {
+  const Scratch scratch;
+  const auto config = scratch.file("far.yaml", "network: {interface_address: 203.0.113.7}\n");
+  Launched run({"run", config.string(), "--out", (scratch / "run").string()});
+  EXPECT_EQ(run.wait_for_end(20), 2) << run.output();
+  const auto at = run.output().find("203.0.113.7");
+  ASSERT_NE(at, std::string::npos) << run.output();
+  EXPECT_EQ(run.output().find("203.0.113.7", at + 1), std::string::npos) << run.output();
 }
 
 TEST(Errors, OfTheCommandLineAreExitCodeTwo) {
@@ -22,30 +37,49 @@ TEST(Errors, OfTheCommandLineAreExitCodeTwo) {
 }
 
 TEST(Errors, HelpAndTheConfigReferenceAreExitCodeZero) {
-  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
-           {"--help"}, {"run", "--help"}, {"--version"}, {"config-reference"},
-           {"run", demo_config(), "--print-config"}}) {
+  for (const std::vector<std::string>& words :
+       std::vector<std::vector<std::string>>{{"--help"},
+                                             {"run", "--help"},
+                                             {"--version"},
+                                             {"config-reference"},
+                                             {"run", demo_config(), "--print-config"}}) {
     Launched run(words);
     EXPECT_EQ(run.wait_for_end(10), 0);
     EXPECT_FALSE(run.output().empty());
   }
 }
 
-class BadStructure : public ::testing::TestWithParam<const char*> {};
+struct BadFile {
+  const char* file;
+  const char* says;
+};
 
-TEST_P(BadStructure, IsRefusedByTheRunWithExitCodeTwo) {
-  const std::string file = shared_data(GetParam());
+class BadStructure : public ::testing::TestWithParam<BadFile> {};
+
+TEST_P(BadStructure, IsRefusedWithOneClearLineAndExitCodeTwo) {
+  const std::string file = shared_data(GetParam().file);
   if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not here";
   const Scratch scratch;
   Launched run({"run", demo_config(), "--structure", file, "--out", (scratch / "run").string()});
   EXPECT_EQ(run.wait_for_end(30), 2) << run.output();
-  EXPECT_TRUE(all_gone(processes_of(scratch / "run"), 0));
+  const std::string name = std::filesystem::path(file).filename().string();
+  EXPECT_NE(run.output().find(name + ": "), std::string::npos) << run.output();
+  EXPECT_NE(run.output().find(GetParam().says), std::string::npos) << run.output();
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, BadStructure,
-                         ::testing::Values("geometry/formats/epsg_4326.las",
-                                           "geometry/formats/simple.laz",
-                                           "geometry/formats/A_B.e57"));
+                         ::testing::Values(BadFile{"geometry/formats/epsg_4326.las", "degrees"},
+                                           BadFile{"geometry/formats/simple.laz", "laszip"},
+                                           BadFile{"geometry/formats/autzen_trim.laz", "laszip"},
+                                           BadFile{"geometry/formats/A_B.e57", "E57"}),
+                         [](const auto& at) {
+                           std::string name =
+                               std::filesystem::path(at.param.file).filename().string();
+                           std::replace_if(
+                               name.begin(), name.end(), [](char c) { return !std::isalnum(c); },
+                               '_');
+                           return name;
+                         });
 
 TEST(Errors, ADirectoryThatHoldsARunIsNotOverwritten) {
   const Scratch scratch;

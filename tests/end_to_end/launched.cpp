@@ -21,7 +21,9 @@ double since(Clock::time_point start) {
 }
 
 std::vector<std::string> arcbid_command(const std::vector<std::string>& arguments) {
-  std::vector<std::string> command{std::string(ARCBID_BIN_DIR) + "/arcbid"};
+  // Standard error joins standard output; exec keeps the PID.
+  std::vector<std::string> command{"/bin/sh", "-c", "exec \"$0\" \"$@\" 2>&1",
+                                   std::string(ARCBID_BIN_DIR) + "/arcbid"};
   command.insert(command.end(), arguments.begin(), arguments.end());
   return command;
 }
@@ -33,7 +35,9 @@ Scratch::Scratch() {
   path_ = mkdtemp(name.data());
 }
 
-Scratch::~Scratch() { std::filesystem::remove_all(path_); }
+Scratch::~Scratch() {
+  std::filesystem::remove_all(path_);
+}
 
 std::filesystem::path Scratch::file(const std::string& name, const std::string& text) const {
   std::ofstream(path_ / name, std::ios::binary) << text;
@@ -79,7 +83,9 @@ std::map<std::string, pid_t> processes_of(const std::filesystem::path& out) {
   return processes;
 }
 
-bool alive(pid_t pid) { return kill(pid, 0) == 0; }
+bool alive(pid_t pid) {
+  return kill(pid, 0) == 0;
+}
 
 bool all_gone(const std::map<std::string, pid_t>& processes, double limit_s) {
   const auto start = Clock::now();
@@ -111,7 +117,9 @@ void expect_checked(const nlohmann::json& result, std::size_t agents) {
     EXPECT_TRUE(result["checks"][check]) << check << ": " << result["problems"].dump();
 }
 
-std::string demo_config() { return std::string(ARCBID_SOURCE_DIR) + "/configs/demo.yaml"; }
+std::string demo_config() {
+  return std::string(ARCBID_SOURCE_DIR) + "/configs/demo.yaml";
+}
 
 std::string shared_data(const std::string& relative) {
   return std::string(ARCBID_SHARED_DATA) + "/" + relative;

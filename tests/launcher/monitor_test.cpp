@@ -13,8 +13,7 @@ json agreed(const std::string& hash, std::uint32_t round, double time_s) {
 }
 
 json routed(const std::string& hash, const std::vector<int>& members) {
-  return {{"event", "routed"}, {"view_hash", hash}, {"members", members},
-          {"pieces", 3},       {"length_m", 10.0},  {"time_s", 5.0}};
+  return {{"event", "routed"}, {"view_hash", hash}, {"members", members}};
 }
 
 class MonitorTest : public ::testing::Test {
@@ -52,7 +51,7 @@ TEST_F(MonitorTest, TakesTheLatestAgreementAfterADeath) {
   monitor.heard(1, {{"event", "reopened"}});
   monitor.heard(3, {{"event", "reopened"}});
   EXPECT_FALSE(monitor.outcome()) << "the routes so far are void";
-  EXPECT_EQ(monitor.died(), (std::set<std::uint32_t>{2}));
+  EXPECT_TRUE(monitor.agents().at(2).gone);
   finish(1, "b", {1, 3});
   finish(3, "b", {1, 3});
   ASSERT_TRUE(monitor.outcome());
@@ -61,7 +60,8 @@ TEST_F(MonitorTest, TakesTheLatestAgreementAfterADeath) {
 
 TEST_F(MonitorTest, AddsUpTheNewestTrafficOfEveryProcess) {
   const auto traffic = [](int n) {
-    return json{{"event", "traffic"}, {"sent", n}, {"received", 2 * n}, {"dropped", 0}, {"bytes", 9}};
+    return json{
+        {"event", "traffic"}, {"sent", n}, {"received", 2 * n}, {"dropped", 0}, {"bytes", 9}};
   };
   monitor.heard(0, traffic(1));
   monitor.heard(1, traffic(10));
@@ -69,6 +69,13 @@ TEST_F(MonitorTest, AddsUpTheNewestTrafficOfEveryProcess) {
   EXPECT_EQ(monitor.traffic().sent, 21u);
   EXPECT_EQ(monitor.traffic().received, 42u);
   EXPECT_EQ(monitor.traffic().bytes, 18u);
+}
+
+TEST_F(MonitorTest, CountsRefusalsAndKeepsTheFirst) {
+  monitor.heard(1, {{"event", "refused"}, {"reason", "a bid that is no number"}});
+  monitor.heard(2, {{"event", "refused"}, {"reason", "another"}});
+  EXPECT_EQ(monitor.refused(), 2u);
+  EXPECT_EQ(monitor.first_refusal(), "a bid that is no number");
 }
 
 TEST_F(MonitorTest, IgnoresWhatItDoesNotKnow) {

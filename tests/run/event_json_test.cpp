@@ -20,7 +20,8 @@ TEST(EventJson, KeepsEveryBitOfABid) {
 }
 
 TEST(EventJson, SaysNoWinnerAsNull) {
-  const Statement statement{{3}, {1000, false, 2}, Table{{{std::nullopt, 0}, {AgentId{2}, -5}}, {1, 2}}};
+  const Statement statement{
+      {3}, {1000, false, 2}, Table{{{std::nullopt, 0}, {AgentId{2}, -5}}, {1, 2}}};
   const json out = to_json(statement);
   EXPECT_TRUE(out["beliefs"][0][0].is_null());
   EXPECT_EQ(out["beliefs"][1][0], 2);

@@ -74,10 +74,10 @@ TEST_F(RunLogTest, CommitsByItselfAsTimeGoesBy) {
 
 TEST_F(RunLogTest, SaysWhichFileCannotBeWritten) {
   try {
-    RunLog log("/no/such/directory/log.sqlite");
+    RunLog log("/proc/no/such/log.sqlite");
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("/no/such/directory/log.sqlite"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("/proc/no/such"), std::string::npos);
   }
 }
 

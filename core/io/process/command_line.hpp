@@ -9,8 +9,8 @@
 
 namespace arcbid {
 
-/// Parses, then runs `body`. --help and --version print and are exit code 0; a wrong command line is one
-/// line on standard error and exit code 2.
+/// Parses, then runs `body`. --help and --version print and are exit code 0; a wrong command line
+/// is one line on standard error and exit code 2.
 template <class Body>
 int run_command_line(CLI::App& app, int argc, char** argv, Body body) {
   return run_program([&]() -> Exit {

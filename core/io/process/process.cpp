@@ -14,7 +14,9 @@ namespace arcbid {
 namespace {
 
 volatile std::sig_atomic_t stop_signal = 0;
-extern "C" void note_stop(int signal) { stop_signal = signal; }
+extern "C" void note_stop(int signal) {
+  stop_signal = signal;
+}
 
 }  // namespace
 
@@ -24,7 +26,7 @@ TimeNs monotonic_ns() {
       .count();
 }
 
-std::uint64_t boot_stamp_ms() {
+std::uint64_t birth_stamp_ms() {
   return static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::milliseconds>(
                                         std::chrono::system_clock::now().time_since_epoch())
                                         .count());
@@ -38,9 +40,14 @@ void stop_on_signals() {
   std::signal(SIGPIPE, SIG_IGN);
 }
 
-bool stop_requested() { return stop_signal != 0; }
+bool stop_requested() {
+  return stop_signal != 0;
+}
 
-void end_with_parent() { prctl(PR_SET_PDEATHSIG, SIGTERM); }
+void end_with_parent(int parent) {
+  prctl(PR_SET_PDEATHSIG, SIGTERM);
+  if (getppid() != parent) stop_signal = SIGTERM;
+}
 
 void Reporter::operator()(std::string_view event, nlohmann::json fields) const {
   std::string line;
@@ -50,7 +57,8 @@ void Reporter::operator()(std::string_view event, nlohmann::json fields) const {
   } else {
     line = fmt::format("{}: {}", who_, event);
     for (const auto& [key, value] : fields.items())
-      line += fmt::format("  {} {}", key, value.is_string() ? value.get<std::string>() : value.dump());
+      line +=
+          fmt::format("  {} {}", key, value.is_string() ? value.get<std::string>() : value.dump());
   }
   line += '\n';
   std::fwrite(line.data(), 1, line.size(), stdout);
@@ -63,6 +71,9 @@ int run_program(const std::function<Exit()>& body) {
   } catch (const InputError& error) {
     fmt::print(stderr, "{}\n", error.what());
     return static_cast<int>(Exit::bad_input);
+  } catch (const RunError& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return static_cast<int>(Exit::check_failed);
   } catch (const std::exception& error) {
     fmt::print(stderr, "arcbid: unexpected: {}\n", error.what());
     return static_cast<int>(Exit::check_failed);

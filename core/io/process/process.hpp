@@ -11,19 +11,21 @@
 
 namespace arcbid {
 
-/// What every program of ours does the same way: its clock, how it is asked to stop, how it reports.
+/// What every program of ours does the same way: its clock, how it is asked to stop, how it
+/// reports.
 
 /// The machine's monotonic clock: the same for all processes of one host.
 TimeNs monotonic_ns();
-/// Milliseconds of the wall clock: grows from life to life of one agent, and so names its incarnation.
-std::uint64_t boot_stamp_ms();
+/// Milliseconds of the wall clock at the start of a process: names the incarnation of an agent.
+std::uint64_t birth_stamp_ms();
 
 /// From now on SIGTERM and SIGINT ask the process to stop instead of ending it.
 void stop_on_signals();
 bool stop_requested();
 
-/// The process ends (SIGTERM) when the one that started it does, however that ends.
-void end_with_parent();
+/// The process ends (SIGTERM) when `parent`, the one that started it, does, however that ends; at
+/// once if it has ended already.
+void end_with_parent(int parent);
 
 /// Tells whoever started this process what happens: a JSON object a line on standard output
 /// ({"event": "agreed", …}) for a launcher, or the same as words for a person.
@@ -37,8 +39,8 @@ class Reporter {
   bool json_;
 };
 
-/// Runs `body`; turns InputError into one line each on standard error and exit code 2, and anything else
-/// unforeseen into one line and exit code 1.
+/// Runs `body`; turns InputError into one line each on standard error and exit code 2, RunError and
+/// anything unforeseen into one line and exit code 1.
 int run_program(const std::function<Exit()>& body);
 
 }  // namespace arcbid

@@ -61,13 +61,16 @@ json to_json(const StatementBody& body) {
 
 }  // namespace
 
-std::string hex(std::uint64_t value) { return fmt::format("{:016x}", value); }
+std::string hex(std::uint64_t value) {
+  return fmt::format("{:016x}", value);
+}
 
-json to_json(const Vec3& point) { return {point.x(), point.y(), point.z()}; }
+json to_json(const Vec3& point) {
+  return {point.x(), point.y(), point.z()};
+}
 
 json to_json(const Waypoint& w) {
-  return {w.position_m.x(), w.position_m.y(), w.position_m.z(),
-          w.look.x(),       w.look.y(),       w.look.z()};
+  return {w.position_m.x(), w.position_m.y(), w.position_m.z(), w.look.x(), w.look.y(), w.look.z()};
 }
 
 json to_json(const Mission& mission) {

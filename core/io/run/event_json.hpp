@@ -10,7 +10,8 @@
 namespace arcbid {
 
 /// JSON of what the core consumes and produces. Numbers are exact: doubles print so that they read
-/// back to the same bits; 64-bit digests and lives are hexadecimal strings, for JSON readers that have only doubles.
+/// back to the same bits; 64-bit digests and lives are hexadecimal strings, for JSON readers that
+/// have only doubles.
 std::string hex(std::uint64_t value);
 nlohmann::json to_json(const Mission& mission);
 nlohmann::json to_json(const Statement& statement);

@@ -20,12 +20,14 @@ void write_whole(const std::filesystem::path& file, const std::string& text) {
   beside += ".part";
   {
     std::ofstream out(beside, std::ios::binary);
+    if (!out) throw InputError(fmt::format("{}: no file can be written there", file.string()));
     out << text;
-    if (!out.flush()) throw InputError(fmt::format("{}: cannot be written", beside.string()));
+    if (!out.flush())
+      throw RunError(fmt::format("{}: cannot be written; is the disk full?", file.string()));
   }
   std::filesystem::rename(beside, file, failed);
   if (failed)
-    throw InputError(fmt::format("{}: cannot be written: {}", file.string(), failed.message()));
+    throw RunError(fmt::format("{}: cannot be written: {}", file.string(), failed.message()));
 }
 
 std::filesystem::path route_file(const std::filesystem::path& run, AgentId agent) {

@@ -9,8 +9,9 @@
 
 namespace arcbid {
 
-/// The files of a run directory (docs/RUN_DIRECTORY.md). Each appears whole or not at all: it is written
-/// beside its place and renamed. Throw InputError when the disk refuses.
+/// The files of a run directory (docs/RUN_DIRECTORY.md). Each appears whole or not at all: it is
+/// written beside its place and renamed. Throw InputError when the place cannot be written to at
+/// all, RunError when writing fails on the way.
 void write_arcs_file(const std::filesystem::path& run, const Mission& mission);
 
 /// `time_s`: when agreement was proven, since launch.

@@ -29,16 +29,17 @@ struct RunLog::Impl {
   bool open_transaction = false;
   TimeNs committed_ns = 0;
 
-  [[noreturn]] void fail(const char* what) const {
-    throw InputError(fmt::format("{}: cannot {} the event log: {}", file, what,
-                                 db ? sqlite3_errmsg(db.get()) : "out of memory"));
+  std::string what_failed(const char* what) const {
+    return fmt::format("{}: cannot {} the event log: {}", file, what,
+                       db ? sqlite3_errmsg(db.get()) : "out of memory");
   }
+  [[noreturn]] void fail_to_write() const { throw RunError(what_failed("write")); }
   void run(const char* sql) {
-    if (sqlite3_exec(db.get(), sql, nullptr, nullptr, nullptr) != SQLITE_OK) fail("write");
+    if (sqlite3_exec(db.get(), sql, nullptr, nullptr, nullptr) != SQLITE_OK) fail_to_write();
   }
   std::unique_ptr<sqlite3_stmt, Finalize> prepare(const char* sql) {
     sqlite3_stmt* statement = nullptr;
-    if (sqlite3_prepare_v2(db.get(), sql, -1, &statement, nullptr) != SQLITE_OK) fail("write");
+    if (sqlite3_prepare_v2(db.get(), sql, -1, &statement, nullptr) != SQLITE_OK) fail_to_write();
     return std::unique_ptr<sqlite3_stmt, Finalize>(statement);
   }
   void begin() {
@@ -48,7 +49,7 @@ struct RunLog::Impl {
   void execute(sqlite3_stmt* statement) {
     const int result = sqlite3_step(statement);
     sqlite3_reset(statement);
-    if (result != SQLITE_DONE) fail("write");
+    if (result != SQLITE_DONE) fail_to_write();
   }
   static void bind(sqlite3_stmt* statement, int at, std::string_view text) {
     sqlite3_bind_text(statement, at, text.data(), static_cast<int>(text.size()), SQLITE_TRANSIENT);
@@ -57,10 +58,15 @@ struct RunLog::Impl {
 
 RunLog::RunLog(const std::filesystem::path& file) : impl_(std::make_unique<Impl>()) {
   impl_->file = file.string();
+  std::error_code failed;
+  std::filesystem::create_directories(file.parent_path(), failed);
+  if (failed)
+    throw InputError(
+        fmt::format("{}: cannot be made: {}", file.parent_path().string(), failed.message()));
   sqlite3* db = nullptr;
   const int opened = sqlite3_open(impl_->file.c_str(), &db);
   impl_->db.reset(db);
-  if (opened != SQLITE_OK) impl_->fail("open");
+  if (opened != SQLITE_OK) throw InputError(impl_->what_failed("open"));
   // WAL and NORMAL: a killed process loses nothing committed; only a power cut could.
   impl_->run("PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL;");
   impl_->run(
@@ -73,8 +79,7 @@ RunLog::RunLog(const std::filesystem::path& file) : impl_(std::make_unique<Impl>
 
 RunLog::~RunLog() {
   // A destructor must not throw; what can't be committed now was lost with the disk.
-  if (impl_->open_transaction)
-    sqlite3_exec(impl_->db.get(), "COMMIT", nullptr, nullptr, nullptr);
+  if (impl_->open_transaction) sqlite3_exec(impl_->db.get(), "COMMIT", nullptr, nullptr, nullptr);
 }
 
 void RunLog::meta(std::string_view key, const nlohmann::json& value) {

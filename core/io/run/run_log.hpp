@@ -14,7 +14,8 @@ namespace arcbid {
 ///   meta(key TEXT PRIMARY KEY, value TEXT)  what is needed to read the rest
 ///   events(seq INTEGER PRIMARY KEY, t_ns INTEGER, kind TEXT, body TEXT)  body is JSON
 /// Committed at least every 50 ms while events come, so that kill -9 costs no more than that.
-/// Throws InputError when the file cannot be created or written.
+/// Makes the folder too. Throws InputError when the file cannot be made, RunError when it can no
+/// longer be written.
 class RunLog {
  public:
   explicit RunLog(const std::filesystem::path& file);
