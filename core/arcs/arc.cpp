@@ -10,9 +10,12 @@ namespace arcbid {
 
 std::string_view name(ArcKind kind) {
   switch (kind) {
-    case ArcKind::outline: return "outline";
-    case ArcKind::top_row: return "top_row";
-    case ArcKind::underside_row: return "underside_row";
+    case ArcKind::outline:
+      return "outline";
+    case ArcKind::top_row:
+      return "top_row";
+    case ArcKind::underside_row:
+      return "underside_row";
   }
   return "?";
 }

@@ -34,9 +34,10 @@ struct Arc {
 /// Sum of the segments' lengths, in the order of the waypoints.
 double length_m(const std::vector<Waypoint>& polyline);
 
-/// The part of `polyline` between two distances from its first waypoint, 0 <= from_m < to_m <= length.
-/// A cut inside a segment interpolates the position and (renormalised) the look direction; a cut at
-/// 0 or at the length is bitwise the end waypoint, and equal distances give bitwise equal points.
+/// The part of `polyline` between two distances from its first waypoint, 0 <= from_m < to_m <=
+/// length. A cut inside a segment interpolates the position and (renormalised) the look direction;
+/// a cut at 0 or at the length is bitwise the end waypoint, and equal distances give bitwise equal
+/// points.
 std::vector<Waypoint> part(const std::vector<Waypoint>& polyline, double from_m, double to_m);
 
 /// The same polyline flown the other way.

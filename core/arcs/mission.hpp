@@ -41,10 +41,10 @@ struct TourSettings {
 
 /// Everything the coordinator publishes, and all an agent needs besides its own id.
 struct Mission {
-  std::uint64_t id = 0;   ///< distinct for every mission of a domain.
+  std::uint64_t id = 0;  ///< distinct for every mission of a domain.
   std::string name;
-  std::vector<Arc> arcs;  ///< arcs[i].id.value == i.
-  std::vector<Uav> fleet; ///< the roster, ascending ids.
+  std::vector<Arc> arcs;   ///< arcs[i].id.value == i.
+  std::vector<Uav> fleet;  ///< the roster, ascending ids.
   AuctionSettings auction;
   TourSettings tour;
 };

@@ -7,8 +7,8 @@
 
 namespace arcbid {
 
-/// A 64-bit digest of a sequence of values: FNV-1a over 64-bit words, each mixed by the finaliser of
-/// SplitMix64 (Steele, Lea, Flood 2014). Same values in the same order, same digest, on every
+/// A 64-bit digest of a sequence of values: FNV-1a over 64-bit words, each mixed by the finaliser
+/// of SplitMix64 (Steele, Lea, Flood 2014). Same values in the same order, same digest, on every
 /// machine. Not a defence against an attacker.
 class Digest {
  public:

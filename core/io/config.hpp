@@ -62,6 +62,10 @@ inline std::uint32_t fleet_size(const Config& config) {
   return static_cast<std::uint32_t>(fleet_ids(config).size());
 }
 
+/// The domain of a process that is started by hand: `asked`, or the config's. Throws InputError
+/// when neither says one: only a launcher can choose a free one for all.
+std::uint32_t domain_of(std::optional<std::uint32_t> asked, const Config& config);
+
 /// Reads and validates a YAML file. All errors at once, one line each
 /// ("demo.yaml:4:20: fleet.uavs[1].speed_mps: -3 is outside [0.1, 30]"), joined by '\n' in one
 /// InputError. Relative file names are taken from the config's folder and made absolute; uavs are

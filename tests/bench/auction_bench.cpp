@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an auction costs: rounds, messages and CPU to proven agreement, in virtual time with 1 to 5 ms links, all
-// agents in one thread. Without arguments: the built-in bridge and the third-party ones that are at hand.
+// What an auction costs: rounds, messages and CPU to proven agreement, in virtual time with 1 to 5
+// ms links, all agents in one thread. Without arguments: the built-in bridge and the third-party
+// ones that are at hand.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +15,9 @@ namespace {
 
 using namespace arcbid;
 
-double cpu_s() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+double cpu_s() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
 
 void measure(const std::string& name, const Config& config) {
   const MissionPlan plan = plan_mission(config, 1);
@@ -37,9 +40,8 @@ void measure(const std::string& name, const Config& config) {
       }
   }
   fmt::print("{:<32} {:>3} {:>5} {:>6} {:>7} {:>9.2f} {:>9} {:>8.2f} {:>10.1f}\n", name,
-             config.fleet.agents, plan.mission.arcs.size(),
-             fleet.agent({1}).tasks().tasks.size(), rounds,
-             static_cast<double>(fleet.now_ns()) * 1e-9, fleet.messages(), cpu, longest_s);
+             config.fleet.agents, plan.mission.arcs.size(), fleet.agent({1}).tasks().tasks.size(),
+             rounds, static_cast<double>(fleet.now_ns()) * 1e-9, fleet.messages(), cpu, longest_s);
 }
 
 }  // namespace
@@ -52,10 +54,13 @@ int main() {
     Config config = demo;
     config.fleet.agents = agents;
     measure("demo", config);
-    for (const auto& [file, unit] : std::vector<std::pair<std::string, std::string>>{
-             {"truss_span_48m.ply", "m"}, {"quinte_skyway.stl", "m"},
-             {"duluth_aerial_lift_bridge.obj", "m"}, {"gazebo_truss_bridge.ply", "m"},
-             {"gazebo_cloverleaf_inches.obj", "in"}, {"girder_bridge_cloud.pcd", "m"}}) {
+    for (const auto& [file, unit] :
+         std::vector<std::pair<std::string, std::string>>{{"truss_span_48m.ply", "m"},
+                                                          {"quinte_skyway.stl", "m"},
+                                                          {"duluth_aerial_lift_bridge.obj", "m"},
+                                                          {"gazebo_truss_bridge.ply", "m"},
+                                                          {"gazebo_cloverleaf_inches.obj", "in"},
+                                                          {"girder_bridge_cloud.pcd", "m"}}) {
       config.structure.file = std::string(ARCBID_SHARED_DATA) + "/geometry/bridges/" + file;
       config.structure.unit = unit;
       if (std::filesystem::exists(*config.structure.file)) measure(file, config);

@@ -146,8 +146,8 @@ const std::vector<Case> together = {
     {"ArchThinnerThanItself", "structure: {parametric: {kind: arch, tower_height_m: 1}}",
      "demo.yaml:1:54: structure.parametric.tower_height_m: 1 is less than the arch is thick "
      "(pier_width_m, 2)"},
-    {"LeaseOfTwoTicks", "auction: {tick_ms: 100, lease_ms: 200}",
-     "demo.yaml:1:35: auction.lease_ms: 200 is less than 3 ticks of 100 ms: the living would count "
+    {"LeaseOfTwoTicks", "auction: {tick_ms: 200, lease_ms: 400}",
+     "demo.yaml:1:35: auction.lease_ms: 400 is less than 3 ticks of 200 ms: the living would count "
      "as dead"},
     {"RemoteServer", "network: {transport: discovery_server, server_address: 10.0.0.1}",
      "demo.yaml:1:56: network.interface_address: 127.0.0.1 cannot reach the server at 10.0.0.1; "

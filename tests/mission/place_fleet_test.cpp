@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include "core/base/error.hpp"
 #include "core/io/mission/mission_plan.hpp"
 
 namespace arcbid {
@@ -18,7 +19,8 @@ TEST(PlaceFleet, SpreadsUavsAlongTheLongerSideOnTheGround) {
 }
 
 TEST(PlaceFleet, KeepsHomesThatWereGiven) {
-  const FleetConfig fleet{.agents = 2, .speed_mps = 1, .uavs = {{{7}, {1, 2, 3}, 4}, {{3}, {5, 6, 7}, 8}}};
+  const FleetConfig fleet{
+      .agents = 2, .speed_mps = 1, .uavs = {{{7}, {1, 2, 3}, 4}, {{3}, {5, 6, 7}, 8}}};
   const auto uavs = place_fleet(fleet, {0, 0, 0}, {9, 9, 9}, 5);
   ASSERT_EQ(uavs.size(), 2u);
   EXPECT_EQ(uavs[0].id.value, 3u);
@@ -29,6 +31,17 @@ TEST(PlanMission, IsTheSameBitForBitWhenMadeAgain) {
   const Config config;
   EXPECT_EQ(digest(plan_mission(config, 5).mission), digest(plan_mission(config, 5).mission));
   EXPECT_NE(digest(plan_mission(config, 5).mission), digest(plan_mission(config, 6).mission));
+}
+
+TEST(PlanMission, RefusesBundlesThatCannotHoldAllTasks) {
+  Config config;
+  config.auction.bundle_limit = 1;
+  try {
+    plan_mission(config, 1);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("auction.bundle_limit: 1"), std::string::npos);
+  }
 }
 
 TEST(PlanMission, NumbersArcsAndFleetAsTheAuctionExpects) {

@@ -87,6 +87,11 @@ TEST(Xyz, SeparatorsCommentsAndExtraColumns) {
   expect_box_cloud(samples::read("box.xyz", text));
 }
 
+TEST(Xyz, DecimalCommasAreRefused) {
+  EXPECT_THAT(samples::error("c.xyz", "1,5 2,5 3,5\n4,5 5,5 6,5\n"),
+              HasSubstr("c.xyz:1: '1,5 2,5 3,5': decimal commas are not read"));
+}
+
 TEST(Xyz, HeaderNamesTheColumns) {
   std::string text = "\"id\",\"Z\",\"x\",\"y\"\n";
   for (const Vec3& p : samples::box()) text += fmt::format("7,{},{},{}\n", p.z(), p.x(), p.y());

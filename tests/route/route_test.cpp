@@ -15,7 +15,8 @@ Mission mission_of(std::uint32_t arcs) {
     const double y = 7.0 * ((m * 5) % arcs);
     mission.arcs.push_back({{m},
                             ArcKind::outline,
-                            {{{0, y, 5}, Vec3::UnitX()}, {{12, y, 5}, Vec3::UnitX()},
+                            {{{0, y, 5}, Vec3::UnitX()},
+                             {{12, y, 5}, Vec3::UnitX()},
                              {{25, y + 1, 6}, Vec3::UnitY()}}});
   }
   mission.fleet = {{{1}, {-5, 0, 0}, 2.0}};

@@ -189,7 +189,7 @@ Keys<AuctionSettings> auction_keys() {
           "L_t: most pieces an agent takes; 0: no limit."),
       key("tick_ms", &A::tick_ns, milliseconds(1, 10000),
           "Least time between two rounds of one agent."),
-      key("lease_ms", &A::lease_ns, milliseconds(10, 600000),
+      key("lease_ms", &A::lease_ns, milliseconds(250, 600000),
           "An agent that was not heard of for this long counts as dead; at least 3 ticks."),
       key("barrier_ms", &A::barrier_ns, milliseconds(0, 600000),
           "How long the start waits for all agents."),

@@ -4,6 +4,7 @@
 
 #include <map>
 
+#include "core/base/error.hpp"
 #include "core/io/config.hpp"
 #include "core/io/config/keys.hpp"
 #include "core/io/config/together.hpp"
@@ -118,6 +119,15 @@ void validate(const Config& config) {
       key.read({YAML::Load(text), YAML::Mark::null_mark(), key.name}, copy, report);
   yaml::check_together(config, report);
   report.throw_if_any();
+}
+
+std::uint32_t domain_of(std::optional<std::uint32_t> asked, const Config& config) {
+  if (asked) return *asked;
+  if (config.network.domain) return *config.network.domain;
+  throw InputError(
+      "network.domain: auto is chosen by 'arcbid run' for all its processes; started by hand, each "
+      "needs the same "
+      "--domain, 0 to 232");
 }
 
 }  // namespace arcbid

@@ -1,22 +1,51 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/mission/mission_plan.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
+#include "core/auction/task_set.hpp"
+#include "core/base/error.hpp"
 #include "core/io/structure_reader.hpp"
 
 namespace arcbid {
 namespace {
 
 StructureInput structure_of(const StructureConfig& config) {
-  if (config.file)
-    return read_structure(*config.file, {.unit = config.unit, .up = config.up});
+  if (config.file) return read_structure(*config.file, {.unit = config.unit, .up = config.up});
   return {generate(config.parametric), {}};
 }
 
 void append(std::vector<std::string>& all, std::vector<std::string> more) {
   std::move(more.begin(), more.end(), std::back_inserter(all));
+}
+
+/// What the reader noticed often explains what the planner cannot do: wrong units above all.
+ArcPlan arcs_of(const StructureInput& input, const Config& config) {
+  try {
+    return bridge_arcs(input.structure, config.coverage);
+  } catch (const InputError& error) {
+    std::string lines;
+    for (const std::string& warning : input.warnings) lines += warning + "\n";
+    const std::string file = config.structure.file ? config.structure.file->string() + ": " : "";
+    throw InputError(lines + file + error.what());
+  }
+}
+
+/// Everybody splits the arcs alike, so it is known beforehand whether the bundles can hold them.
+void require_room(const Mission& mission) {
+  const std::size_t limit = mission.auction.bundle_limit, agents = mission.fleet.size();
+  if (limit == 0) return;
+  const std::size_t tasks =
+      split(mission.arcs, mission.auction.split_m, mission.auction.max_tasks).tasks.size();
+  if (limit * agents < tasks)
+    throw InputError(fmt::format(
+        "auction.bundle_limit: {} for each of {} agents leaves {} of {} tasks without an "
+        "owner; legal are 0 (no limit) or at least {}",
+        limit, agents, tasks - limit * agents, tasks, (tasks + agents - 1) / agents));
 }
 
 }  // namespace
@@ -42,17 +71,18 @@ std::vector<Uav> place_fleet(const FleetConfig& fleet, const Vec3& low_m, const 
 
 MissionPlan plan_mission(const Config& config, std::uint64_t id) {
   StructureInput input = structure_of(config.structure);
-  ArcPlan arcs = bridge_arcs(input.structure, config.coverage);
+  ArcPlan arcs = arcs_of(input, config);
   MissionPlan plan;
   plan.warnings = std::move(input.warnings);
   append(plan.warnings, std::move(arcs.warnings));
-  plan.mission = {.id = id,
-                  .name = config.name,
-                  .arcs = std::move(arcs.arcs),
-                  .fleet = place_fleet(config.fleet, arcs.low_m, arcs.high_m,
-                                       2 * config.coverage.standoff_m),
-                  .auction = config.auction,
-                  .tour = config.tour};
+  plan.mission = {
+      .id = id,
+      .name = config.name,
+      .arcs = std::move(arcs.arcs),
+      .fleet = place_fleet(config.fleet, arcs.low_m, arcs.high_m, 2 * config.coverage.standoff_m),
+      .auction = config.auction,
+      .tour = config.tour};
+  require_room(plan.mission);
   return plan;
 }
 

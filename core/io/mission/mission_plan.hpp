@@ -15,12 +15,13 @@ struct MissionPlan {
   std::vector<std::string> warnings;  ///< one line each
 };
 
-/// Structure in, arcs out, a home for every UAV: reads the structure (or generates the parametric one), makes its
-/// arcs, places the fleet. `id`: distinct for every mission. Throws InputError.
+/// Structure in, arcs out, a home for every UAV: reads the structure (or generates the parametric
+/// one), makes its arcs, places the fleet. `id`: distinct for every mission. Throws InputError.
 MissionPlan plan_mission(const Config& config, std::uint64_t id);
 
-/// UAVs without a home of their own stand on the ground along the structure's longer side, evenly spread and
-/// `clear_m` away from it (`low_m`, `high_m`: its bounding box): short ways out, and less to bid about.
+/// UAVs without a home of their own stand on the ground along the structure's longer side, evenly
+/// spread and `clear_m` away from it (`low_m`, `high_m`: its bounding box): short ways out, and
+/// less to bid about.
 std::vector<Uav> place_fleet(const FleetConfig& fleet, const Vec3& low_m, const Vec3& high_m,
                              double clear_m);
 

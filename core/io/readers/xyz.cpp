@@ -46,9 +46,22 @@ Vec3 point(const Source& source, std::size_t line, std::string_view text, const 
   return out;
 }
 
+/// "1,5 2,5 3,5": a comma inside a word, and blanks or semicolons between the words.
+bool has_decimal_commas(std::string_view text) {
+  if (text.find(';') != text.npos && text.find(',') != text.npos) return true;
+  const auto blank = [](char c) { return c == ' ' || c == '\t'; };
+  bool tight = false, apart = false;
+  for (std::size_t i = 1; i + 1 < text.size(); ++i) {
+    tight = tight || (text[i] == ',' && !blank(text[i + 1]));
+    apart = apart ||
+            (blank(text[i]) && !blank(text[i + 1]) && text[i - 1] != ',' && !blank(text[i - 1]));
+  }
+  return tight && apart;
+}
+
 /// The first line of data fixes the layout of all others.
 void check_first(const Source& source, std::size_t line, std::string_view text) {
-  if (text.find(';') != text.npos && text.find(',') != text.npos) {
+  if (has_decimal_commas(text)) {
     fail_at(source, line, "{}: decimal commas are not read: write 1.5, not 1,5", in_quotes(text));
   }
 }
