@@ -47,9 +47,9 @@ wire::AuctionSettings encode(const AuctionSettings& settings) {
 AuctionSettings decode(const wire::AuctionSettings& settings, Verdict& verdict) {
   AuctionSettings out;
   out.policy =
-      enumerator<PolicyKind>(settings.policy(), wire::POLICY_CBBA, "auction.policy", verdict);
+      enumerator<PolicyKind>(settings.policy(), wire::POLICY_ACBBA, "auction.policy", verdict);
   out.score =
-      enumerator<ScoreKind>(settings.score(), wire::SCORE_DISCOUNTED, "auction.score", verdict);
+      enumerator<ScoreKind>(settings.score(), wire::SCORE_DISCOUNTED_INSERT_WARPED, "auction.score", verdict);
   out.discount_per_s = settings.discount_per_s();
   verdict.require(std::isfinite(out.discount_per_s) && out.discount_per_s > 0,
                   "auction.discount_per_s", out.discount_per_s);

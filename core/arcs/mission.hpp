@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/arcs/arc.hpp"
@@ -18,14 +20,42 @@ struct Uav {
   double speed_mps = 1.0;
 };
 
-enum class PolicyKind : std::uint8_t { claims, cbba };
-enum class ScoreKind : std::uint8_t { minimax, minisum, discounted };
+/// How the fleet comes to agree; core/auction/policy.hpp says what each does.
+enum class PolicyKind : std::uint8_t { claims, claims_keep, cbba, cbba_rebuild, acbba };
+
+/// What a task is worth to an agent; core/auction/score.hpp says how each is computed.
+enum class ScoreKind : std::uint8_t {
+  minimax,
+  minisum,
+  independent,
+  discounted_append,
+  discounted_insert,  ///< bids are not warped: the auction may cycle for ever
+  discounted_insert_warped
+};
+
+/// Their names in configs, logs and on command lines, in the order of the enumerators.
+inline constexpr std::array<std::string_view, 5> policy_names{"claims", "claims-keep", "cbba",
+                                                              "cbba-rebuild", "acbba"};
+inline constexpr std::array<std::string_view, 6> score_names{
+    "minimax",           "minisum",           "independent",
+    "discounted-append", "discounted-insert", "discounted-insert-warped"};
+constexpr std::string_view name_of(PolicyKind policy) {
+  return policy_names[static_cast<std::size_t>(policy)];
+}
+constexpr std::string_view name_of(ScoreKind score) {
+  return score_names[static_cast<std::size_t>(score)];
+}
+
+/// Whether agents state their own claims; else they exchange tables of beliefs.
+constexpr bool states_claims(PolicyKind policy) {
+  return policy == PolicyKind::claims || policy == PolicyKind::claims_keep;
+}
 
 /// What every agent must agree on for the auction to have one outcome.
 struct AuctionSettings {
   PolicyKind policy = PolicyKind::claims;
   ScoreKind score = ScoreKind::minimax;
-  double discount_per_s = 0.02;        ///< rho of the time-discounted score; > 0.
+  double discount_per_s = 0.02;        ///< rho of the discounted scores; > 0.
   std::optional<double> split_m;       ///< piece length; none: the shortest arc's length (eq. 4).
   std::uint32_t max_tasks = 1000;      ///< limit on |T|; the piece length is raised to keep it.
   std::uint32_t bundle_limit = 0;      ///< L_t: most tasks an agent takes; 0: no limit.

@@ -2,11 +2,16 @@
 #include "core/auction/cbba.hpp"
 
 #include <algorithm>
+#include <cstring>
+#include <utility>
 
+#include "core/auction/roster.hpp"
 #include "core/base/error.hpp"
 
 namespace arcbid {
 namespace {
+
+constexpr std::size_t block = 16;  // beliefs compared at once
 
 Who role(const std::optional<AgentId>& winner, AgentId i, AgentId k) {
   if (!winner) return Who::none;
@@ -22,16 +27,17 @@ std::uint64_t timestamp(const StatementKey& key) {
 
 }  // namespace
 
-CbbaState::CbbaState(AgentId self, std::vector<AgentId> roster, Bundle bundle, std::size_t tasks)
-    : self_(self), roster_(std::move(roster)), bundle_(std::move(bundle)) {
+CbbaState::CbbaState(AgentId self, std::vector<AgentId> roster, Bundle bundle, std::size_t tasks,
+                     bool rebuilds)
+    : self_(self), roster_(std::move(roster)), bundle_(std::move(bundle)), rebuilds_(rebuilds) {
   table_.beliefs.resize(tasks);
   table_.timestamps.resize(roster_.size());
 }
 
 std::size_t CbbaState::position(AgentId agent) const {
-  const auto at = std::lower_bound(roster_.begin(), roster_.end(), agent);
-  check(at != roster_.end() && *at == agent, "a believed winner is of the roster");
-  return static_cast<std::size_t>(at - roster_.begin());
+  const auto at = position_in(roster_, agent);
+  check(at.has_value(), "a believed winner is of the roster");
+  return *at;
 }
 
 Action CbbaState::rule(AgentId sender, const Belief& theirs, const Belief& ours,
@@ -57,24 +63,34 @@ Action CbbaState::rule(AgentId sender, const Belief& theirs, const Belief& ours,
   return decide(row(sends, has), holds);
 }
 
-void CbbaState::receive(std::size_t sender, const Table& table, std::uint64_t now) {
-  for (std::size_t j = 0; j < table_.beliefs.size(); ++j) {
+bool CbbaState::apply(AgentId sender, const Table& table, std::size_t first, std::size_t last) {
+  bool changed = false;
+  for (std::size_t j = first; j < last; ++j) {
     Belief& ours = table_.beliefs[j];
     const Belief& theirs = table.beliefs[j];
-    switch (rule(roster_[sender], theirs, ours, table.timestamps)) {
-      case Action::leave:
-        break;
-      case Action::update:
-        ours = theirs;
-        break;
-      case Action::reset:
-        ours = {};
-        break;
-    }
+    if (theirs == ours) continue;  // no row changes anything then
+    const Action action = rule(sender, theirs, ours, table.timestamps);
+    if (action == Action::leave) continue;
+    ours = action == Action::update ? theirs : Belief{};
+    changed = true;
+  }
+  return changed;
+}
+
+bool CbbaState::receive(std::size_t sender, const Table& table, std::uint64_t now) {
+  bool changed = false;
+  const std::size_t tasks = table_.beliefs.size();
+  for (std::size_t first = 0; first < tasks; first += block) {
+    const std::size_t last = std::min(first + block, tasks);
+    // Most beliefs are shared. Equal bytes are equal beliefs (not the other way round: padding).
+    const bool same = std::memcmp(&table_.beliefs[first], &table.beliefs[first],
+                                  (last - first) * sizeof(Belief)) == 0;
+    if (!same) changed |= apply(roster_[sender], table, first, last);
   }
   for (std::size_t m = 0; m < roster_.size(); ++m)
     table_.timestamps[m] = std::max(table_.timestamps[m], table.timestamps[m]);
   table_.timestamps[sender] = now;
+  return changed;
 }
 
 void CbbaState::forget(AgentId dead) {
@@ -82,7 +98,7 @@ void CbbaState::forget(AgentId dead) {
     if (belief.winner == dead) belief = {};
 }
 
-void CbbaState::rebid() {
+void CbbaState::release() {
   const std::vector<Claim>& claims = bundle_.claims();
   std::size_t kept = 0;
   while (kept < claims.size() && table_.beliefs[claims[kept].task.value].winner == self_) ++kept;
@@ -91,8 +107,29 @@ void CbbaState::rebid() {
     if (belief.winner == self_) belief = {};
   }
   bundle_.release_from(kept);
-  bundle_.extend(table_.beliefs);
-  for (const Claim& claim : bundle_.claims()) table_.beliefs[claim.task.value] = {self_, claim.bid};
+}
+
+bool CbbaState::bid() {
+  if (!rebuilds_) {
+    bundle_.extend(table_.beliefs);
+    return claim();
+  }
+  for (const Claim& claim : bundle_.claims()) table_.beliefs[claim.task.value] = {};
+  const bool changed = bundle_.rebuild(table_.beliefs);
+  claim();
+  return changed;
+}
+
+/// Writes what the bundle claims into z_i and y_i.
+bool CbbaState::claim() {
+  bool changed = false;
+  for (const Claim& claim : bundle_.claims()) {
+    const Belief mine{self_, claim.bid};
+    Belief& belief = table_.beliefs[claim.task.value];
+    changed = changed || belief != mine;
+    belief = mine;
+  }
+  return changed;
 }
 
 bool CbbaPolicy::agrees(const View& view) const {
@@ -115,7 +152,8 @@ Decision CbbaPolicy::decide(const View& view) {
       if (belief.winner && view.dead(*belief.winner)) belief = {};
     state_.receive(k, living, timestamp(view.key(k)));
   }
-  state_.rebid();
+  state_.release();
+  state_.bid();
   const bool changed = state_.table().beliefs != before;
   return {.changed = changed, .settled = !changed};
 }

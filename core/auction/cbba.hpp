@@ -11,29 +11,35 @@
 
 namespace arcbid {
 
-/// The state of one agent under published CBBA (Choi, Brunet, How 2009): y_i, z_i, s_i and the
-/// bundle; and its two phases. Timestamps are any numbers that grow with news: rounds, times or
-/// versions.
+/// The state of one agent under CBBA (Choi, Brunet, How 2009): y_i, z_i, s_i and the bundle; and
+/// its two phases. Timestamps are any numbers that grow with news: rounds, times or versions. As
+/// published, an agent keeps what it bundled before the first task that it was outbid on; with
+/// `rebuilds` it bids for everything anew, which is what makes CBBA equal to sequential greedy.
 class CbbaState {
  public:
-  CbbaState(AgentId self, std::vector<AgentId> roster, Bundle bundle, std::size_t tasks);
+  CbbaState(AgentId self, std::vector<AgentId> roster, Bundle bundle, std::size_t tasks,
+            bool rebuilds = false);
 
   /// Applies Table I to everything `sender` (roster position) believes, then brings s_i up to date:
-  /// s_ik = `now`, and for others the later of s_im and s_km.
-  void receive(std::size_t sender, const Table& table, std::uint64_t now);
+  /// s_ik = `now`, and for others the later of s_im and s_km. Returns whether a belief changed.
+  bool receive(std::size_t sender, const Table& table, std::uint64_t now);
 
   /// No winner may be one of these any more: Table I has no rule for death, so it is an explicit
   /// step.
   void forget(AgentId dead);
 
-  /// Releases the first task that was lost and everything bundled after it, then bids again.
-  void rebid();
+  /// Releases the first task that was lost and everything bundled after it.
+  void release();
+  /// Bids for more; with `rebuilds` for everything anew. Returns whether the bundle changed.
+  bool bid();
 
   bool is_self(std::size_t position) const { return roster_[position] == self_; }
   const Table& table() const { return table_; }
   const Bundle& bundle() const { return bundle_; }
 
  private:
+  bool claim();
+  bool apply(AgentId sender, const Table& table, std::size_t first, std::size_t last);
   Action rule(AgentId sender, const Belief& theirs, const Belief& ours,
               const std::vector<std::uint64_t>& sender_timestamps) const;
   std::size_t position(AgentId agent) const;
@@ -42,6 +48,7 @@ class CbbaState {
   std::vector<AgentId> roster_;
   Bundle bundle_;
   Table table_;
+  bool rebuilds_;
 };
 
 /// Published CBBA on the newest statements of all: a decision is one synchronous round in which

@@ -5,17 +5,20 @@
 
 namespace arcbid {
 
-ClaimsPolicy::ClaimsPolicy(AgentId self, Bundle bundle, std::size_t tasks)
-    : self_(self), bundle_(std::move(bundle)), tasks_(tasks) {}
+ClaimsPolicy::ClaimsPolicy(AgentId self, Bundle bundle, std::size_t tasks, bool rebuilds)
+    : self_(self), bundle_(std::move(bundle)), tasks_(tasks), rebuilds_(rebuilds) {}
 
 Decision ClaimsPolicy::decide(const View& view) {
-  std::vector<Belief> rivals = best_claims(view, tasks_, self_);
-  if (rivals_ == rivals) return {};
+  const std::vector<Belief> rivals = best_claims(view, tasks_, self_);
+  const bool changed = rebuilds_ ? bundle_.rebuild(rivals) : keep(rivals);
+  return {.changed = changed, .settled = true};
+}
+
+bool ClaimsPolicy::keep(const std::vector<Belief>& rivals) {
   const std::vector<Claim> before = bundle_.claims();
-  bundle_.release_from(0);
+  bundle_.release_from(bundle_.still_won(rivals));
   bundle_.extend(rivals);
-  rivals_ = std::move(rivals);
-  return {.changed = bundle_.claims() != before, .settled = true};
+  return bundle_.claims() != before;
 }
 
 }  // namespace arcbid

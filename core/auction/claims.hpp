@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
-
 #include "core/auction/bundle.hpp"
 #include "core/auction/policy.hpp"
 
 namespace arcbid {
 
-/// Consensus by claims, with rebuild: an agent is the only authority on its own bundle; winners are
-/// a pure function of everybody's claims; the bundle is built anew against the claims of the others
-/// whenever one of those that matter changed. The only fixpoint is the sequential greedy allocation
-/// of the living agents, whatever the schedule, the topology or the losses.
+/// Consensus by claims: an agent is the only authority on its own bundle; winners are a pure
+/// function of everybody's claims. With rebuild the bundle is built anew against the claims of the
+/// others whenever one of those that matter changed: the only fixpoint is the sequential greedy
+/// allocation of the living agents, whatever the schedule, the topology or the losses. Without, the
+/// agent keeps what stands before the first task that it was outbid on, as in published CBBA: that
+/// converges too, but the outcome depends on the schedule.
 class ClaimsPolicy final : public Policy {
  public:
-  ClaimsPolicy(AgentId self, Bundle bundle, std::size_t tasks);
+  ClaimsPolicy(AgentId self, Bundle bundle, std::size_t tasks, bool rebuilds);
 
   Decision decide(const View& view) override;
   StatementBody statement() const override { return Claims{bundle_.claims()}; }
@@ -22,10 +22,12 @@ class ClaimsPolicy final : public Policy {
   const std::vector<PathStop>& path() const override { return bundle_.path(); }
 
  private:
+  bool keep(const std::vector<Belief>& rivals);
+
   AgentId self_;
   Bundle bundle_;
   std::size_t tasks_;
-  std::optional<std::vector<Belief>> rivals_;  // what the bundle was last built against
+  bool rebuilds_;
 };
 
 }  // namespace arcbid

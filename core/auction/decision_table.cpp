@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/auction/decision_table.hpp"
 
-#include <algorithm>
-
 #include "core/base/error.hpp"
 
 namespace arcbid {
@@ -19,12 +17,29 @@ std::string_view name(Action action) {
   return "?";
 }
 
+namespace {
+
+constexpr std::size_t kinds = 5;
+
+constexpr std::size_t pair(Who sender, Who receiver) {
+  return static_cast<std::size_t>(sender) * kinds + static_cast<std::size_t>(receiver);
+}
+
+/// Where the row of each pair stands, from 1; 0: there is none.
+constexpr auto row_numbers = [] {
+  std::array<std::uint8_t, kinds * kinds> numbers{};
+  for (std::size_t r = 0; r < decision_table.size(); ++r)
+    numbers[pair(decision_table[r].sender, decision_table[r].receiver)] =
+        static_cast<std::uint8_t>(r + 1);
+  return numbers;
+}();
+
+}  // namespace
+
 const Row& row(Who sender, Who receiver) {
-  const auto found = std::find_if(decision_table.begin(), decision_table.end(), [&](const Row& r) {
-    return r.sender == sender && r.receiver == receiver;
-  });
-  check(found != decision_table.end(), "every pair of beliefs has a row");
-  return *found;
+  const std::size_t number = row_numbers[pair(sender, receiver)];
+  check(number > 0, "every pair of beliefs has a row");
+  return decision_table[number - 1];
 }
 
 Action decide(const Row& row, std::uint8_t holds) {

@@ -44,8 +44,8 @@ struct Belief {
   friend bool operator==(const Belief&, const Belief&) = default;
 };
 
-/// What an agent states under published CBBA: z_i, y_i (index = task) and s_i (index = roster
-/// position).
+/// What an agent states under CBBA: z_i, y_i (index = task), and s_i (index = roster position), or
+/// under ACBBA t_i (index = task).
 struct Table {
   std::vector<Belief> beliefs;
   std::vector<std::uint64_t> timestamps;

@@ -3,20 +3,40 @@
 
 #include <utility>
 
+#include "core/auction/acbba.hpp"
 #include "core/auction/bundle.hpp"
 #include "core/auction/cbba.hpp"
 #include "core/auction/claims.hpp"
+#include "core/base/error.hpp"
 
 namespace arcbid {
+
+Bundle make_bundle(const TaskSet& set, const Uav& self, const AuctionSettings& settings,
+                   const Transit& transit) {
+  const bool plain = settings.score == ScoreKind::discounted_insert;
+  return Bundle(self.id, make_score(set, self, settings, transit), set.tasks.size(),
+                settings.bundle_limit, plain ? Bundle::Bids::true_gains : Bundle::Bids::warped);
+}
 
 std::unique_ptr<Policy> make_policy(const TaskSet& set, const Uav& self,
                                     const std::vector<AgentId>& roster,
                                     const AuctionSettings& settings, const Transit& transit) {
   const std::size_t tasks = set.tasks.size();
-  Bundle bundle(self.id, make_score(set, self, settings, transit), tasks, settings.bundle_limit);
-  if (settings.policy == PolicyKind::cbba)
-    return std::make_unique<CbbaPolicy>(CbbaState(self.id, roster, std::move(bundle), tasks));
-  return std::make_unique<ClaimsPolicy>(self.id, std::move(bundle), tasks);
+  Bundle bundle = make_bundle(set, self, settings, transit);
+  switch (settings.policy) {
+    case PolicyKind::claims:
+    case PolicyKind::claims_keep:
+      return std::make_unique<ClaimsPolicy>(self.id, std::move(bundle), tasks,
+                                            settings.policy == PolicyKind::claims);
+    case PolicyKind::cbba:
+    case PolicyKind::cbba_rebuild:
+      return std::make_unique<CbbaPolicy>(CbbaState(self.id, roster, std::move(bundle), tasks,
+                                                    settings.policy == PolicyKind::cbba_rebuild));
+    case PolicyKind::acbba:
+      return std::make_unique<AcbbaPolicy>(AcbbaState(self.id, std::move(bundle), tasks));
+  }
+  check(false, "every policy has a class");
+  return nullptr;
 }
 
 }  // namespace arcbid

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/arcs/mission.hpp"
+#include "core/auction/bundle.hpp"
 #include "core/auction/message.hpp"
 #include "core/auction/score.hpp"
 #include "core/auction/view.hpp"
@@ -35,6 +36,10 @@ class Policy {
   /// p_i.
   virtual const std::vector<PathStop>& path() const = 0;
 };
+
+/// Bundle and path of one agent, with the score and the kind of bids that the mission asks for.
+Bundle make_bundle(const TaskSet& set, const Uav& self, const AuctionSettings& settings,
+                   const Transit& transit);
 
 /// The policy that the mission asks for. `set` and `transit` must outlive it; `roster`: ascending
 /// ids.

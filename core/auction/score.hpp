@@ -22,10 +22,12 @@ struct Insertion {
   double gain = 0;             ///< c_ij, the marginal score; higher is better, may be negative
   std::uint32_t position = 0;  ///< l*: the task comes before what now stands there
   bool reversed = false;
+  friend bool operator==(const Insertion&, const Insertion&) = default;
 };
 
 /// An agent's path p_i and what a further task would add to its score S. Ties between equally good
-/// insertions: the earlier position, then not reversed. All scores are functions of the path alone.
+/// insertions: the earlier position, then not reversed. All scores are functions of the insertions
+/// made since assign(), in their order.
 class PathScore {
  public:
   virtual ~PathScore() = default;
@@ -49,9 +51,14 @@ class PathScore {
   virtual const std::vector<PathStop>& path() const = 0;
 };
 
-/// The score that the mission asks for, for one UAV: MiniMax (Lagoudakis et al. 2005: minus the
-/// completion time of the closed tour), MiniSum (minus the time added to it), or Choi's
-/// time-discounted reward, a piece being worth its length.
+/// The score that the mission asks for, for one UAV:
+/// - minimax (Lagoudakis et al. 2005): minus the completion time of the whole path;
+/// - minisum: minus the time the task adds to it;
+/// - independent: v_j exp(-rho t), t the time to do task j alone, coming from home;
+/// - discounted_append (Choi, Brunet, How 2009): v_j exp(-rho t_j), t_j the time at which j is done
+///   when it is added at the end of the path;
+/// - discounted_insert, discounted_insert_warped: what j adds to the sum of these over the path
+///   where it fits best; the two differ in the bids only (Bundle).
 std::unique_ptr<PathScore> make_score(const TaskSet& set, const Uav& uav,
                                       const AuctionSettings& settings, const Transit& transit);
 

@@ -1,16 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/auction/score_discounted.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "core/auction/score_distance.hpp"
-
 namespace arcbid {
+namespace {
+
+// Rounding must not make a bound smaller than what it bounds.
+constexpr double slack = 1 + 1e-9;
+
+}  // namespace
 
 DiscountedScore::DiscountedScore(const TaskSet& set, const Uav& uav, const Transit& transit,
                                  double discount_per_s)
-    : set_(set), uav_(uav), transit_(transit), discount_per_s_(discount_per_s) {
+    : set_(set),
+      uav_(uav),
+      transit_(transit),
+      discount_per_s_(discount_per_s),
+      slots_(set.tasks.size()) {
+  for (const Task& task : set.tasks) {
+    const double way_s =
+        std::min(transit_s(uav_.home_m, task.first_m), transit_s(uav_.home_m, task.last_m));
+    work_.push_back(discounted(task.length_m() / uav_.speed_mps));
+    direct_.push_back(task.value * (discounted(way_s) * work_.back()) * slack);
+  }
   refresh();
 }
 
@@ -27,56 +42,92 @@ double DiscountedScore::transit_s(const Vec3& from, const Vec3& to) const {
   return transit_.length_m(from, to) / uav_.speed_mps;
 }
 
+double DiscountedScore::discounted(double seconds) const {
+  return std::exp(-discount_per_s_ * seconds);
+}
+
 void DiscountedScore::assign(std::vector<PathStop> path) {
   path_ = std::move(path);
+  for (const TaskId task : active_) slots_[task.value].clear();
+  active_.clear();
   refresh();
 }
 
 void DiscountedScore::refresh() {
   const std::size_t n = path_.size();
-  done_s_.assign(n + 1, 0.0);
+  leg_.resize(n);
+  discount_.assign(n + 1, 1.0);
   rest_value_.assign(n + 1, 0.0);
+  double done_s = 0;
   for (std::size_t l = 0; l < n; ++l) {
-    const Vec3& from = l == 0 ? uav_.home_m : exit(path_[l - 1]);
-    done_s_[l + 1] = done_s_[l] + transit_s(from, entry(path_[l])) +
-                     set_.tasks[path_[l].task.value].length_m() / uav_.speed_mps;
+    const double leg_s = transit_s(l == 0 ? uav_.home_m : exit(path_[l - 1]), entry(path_[l]));
+    done_s += leg_s + set_.tasks[path_[l].task.value].length_m() / uav_.speed_mps;
+    leg_[l] = discounted(leg_s);
+    discount_[l + 1] = discounted(done_s);
   }
   for (std::size_t l = n; l-- > 0;)
-    rest_value_[l] = rest_value_[l + 1] + set_.tasks[path_[l].task.value].length_m() *
-                                              std::exp(-discount_per_s_ * done_s_[l + 1]);
+    rest_value_[l] = rest_value_[l + 1] + set_.tasks[path_[l].task.value].value * discount_[l + 1];
 }
 
-double DiscountedScore::gain(TaskId task, std::size_t position, bool reversed) const {
-  const PathStop stop{task, reversed};
-  const double metres = set_.tasks[task.value].length_m();
+DiscountedScore::Slot DiscountedScore::slot(TaskId id, std::size_t position) const {
+  const Task& task = set_.tasks[id.value];
   const Vec3& from = position == 0 ? uav_.home_m : exit(path_[position - 1]);
-  const double work_s = transit_s(from, entry(stop)) + metres / uav_.speed_mps;
-  const double own = metres * std::exp(-discount_per_s_ * (done_s_[position] + work_s));
+  const auto place = [&](const Vec3& first, const Vec3& last) {
+    Place out{discounted(transit_s(from, first)) * work_[id.value], 0};
+    if (position < path_.size()) out.onward = discounted(transit_s(last, entry(path_[position])));
+    return out;
+  };
+  const Place ahead = place(task.first_m, task.last_m);
+  // A point is the same from both sides.
+  return {ahead, task.first_m == task.last_m ? ahead : place(task.last_m, task.first_m)};
+}
+
+double DiscountedScore::gain(TaskId task, const Place& place, std::size_t position) const {
+  const double own = set_.tasks[task.value].value * place.arrival * discount_[position];
   if (position == path_.size()) return own;
-  const Vec3& to = entry(path_[position]);
-  const double delay_s = work_s + transit_s(exit(stop), to) - transit_s(from, to);
-  return own + rest_value_[position] * std::expm1(-discount_per_s_ * delay_s);
+  return own + rest_value_[position] * (place.arrival * place.onward / leg_[position] - 1);
+}
+
+std::vector<DiscountedScore::Slot>& DiscountedScore::slots(TaskId task) {
+  std::vector<Slot>& slots = slots_[task.value];
+  if (!slots.empty()) return slots;
+  slots.reserve(path_.size() + 1);
+  for (std::size_t l = 0; l <= path_.size(); ++l) slots.push_back(slot(task, l));
+  active_.push_back(task);
+  return slots;
 }
 
 Insertion DiscountedScore::best(TaskId task) {
-  Insertion best{gain(task, 0, false), 0, false};
-  for (std::uint32_t l = 0; l <= path_.size(); ++l)
-    for (const bool reversed : {false, true})
-      if (const double c = gain(task, l, reversed); c > best.gain) best = {c, l, reversed};
+  const std::vector<Slot>& known = slots(task);
+  Insertion best{gain(task, known[0].ahead, 0), 0, false};
+  for (std::uint32_t l = 0; l < known.size(); ++l) {
+    if (const double c = gain(task, known[l].ahead, l); c > best.gain) best = {c, l, false};
+    if (const double c = gain(task, known[l].back, l); c > best.gain) best = {c, l, true};
+  }
   return best;
 }
 
-void DiscountedScore::insert(TaskId task, const Insertion& where) {
-  path_.insert(path_.begin() + where.position, PathStop{task, where.reversed});
-  refresh();
+PathScore::Bound DiscountedScore::bound(TaskId task) {
+  if (slots_[task.value].empty()) return {direct_[task.value], false};
+  return {best(task).gain, true};
 }
 
-std::unique_ptr<PathScore> make_score(const TaskSet& set, const Uav& uav,
-                                      const AuctionSettings& settings, const Transit& transit) {
-  if (settings.score == ScoreKind::discounted)
-    return std::make_unique<DiscountedScore>(set, uav, transit, settings.discount_per_s);
-  const bool whole_tour = settings.score == ScoreKind::minimax;
-  return std::make_unique<DistanceScore>(set, uav, transit, whole_tour);
+void DiscountedScore::insert(TaskId task, const Insertion& where) {
+  const std::uint32_t l = where.position;
+  path_.insert(path_.begin() + l, PathStop{task, where.reversed});
+  refresh();
+  retire(task);
+  for (const TaskId other : active_) {
+    std::vector<Slot>& slots = slots_[other.value];
+    slots[l] = slot(other, l + 1);
+    slots.insert(slots.begin() + l, slot(other, l));
+  }
+}
+
+void DiscountedScore::retire(TaskId task) {
+  if (slots_[task.value].empty()) return;
+  slots_[task.value].clear();
+  std::erase(active_, task);
 }
 
 }  // namespace arcbid

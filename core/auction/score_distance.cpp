@@ -26,8 +26,10 @@ const Vec3& DistanceScore::before(std::size_t position) const {
   return position == 0 ? uav_.home_m : exit(path_[position - 1]);
 }
 
-const Vec3& DistanceScore::after(std::size_t position) const {
-  return position == path_.size() ? uav_.home_m : entry(path_[position]);
+/// The transit into position l of the path as it is.
+double DistanceScore::leg_m(std::size_t position) const {
+  if (position < path_.size()) return transit_.length_m(before(position), entry(path_[position]));
+  return set_.return_home ? transit_.length_m(before(position), uav_.home_m) : 0.0;
 }
 
 void DistanceScore::assign(std::vector<PathStop> path) {
@@ -35,7 +37,7 @@ void DistanceScore::assign(std::vector<PathStop> path) {
   transits_m_.clear();
   tour_m_ = 0;
   for (std::size_t l = 0; l <= path_.size(); ++l) {
-    transits_m_.push_back(transit_.length_m(before(l), after(l)));
+    transits_m_.push_back(leg_m(l));
     tour_m_ += transits_m_.back();
     if (l < path_.size()) tour_m_ += set_.tasks[path_[l].task.value].length_m();
   }
@@ -44,11 +46,14 @@ void DistanceScore::assign(std::vector<PathStop> path) {
 }
 
 DistanceScore::Cached DistanceScore::at(TaskId task, std::uint32_t position) const {
-  const PathStop forward{task, false};
-  const Vec3 &from = before(position), &to = after(position);
-  const Vec3 &first = entry(forward), &last = exit(forward);
-  const double ahead = transit_.length_m(from, first) + transit_.length_m(last, to);
-  const double back = transit_.length_m(from, last) + transit_.length_m(first, to);
+  const Vec3 &first = entry({task, false}), &last = exit({task, false});
+  const Vec3& from = before(position);
+  double ahead = transit_.length_m(from, first), back = transit_.length_m(from, last);
+  if (position < path_.size() || set_.return_home) {
+    const Vec3& to = position < path_.size() ? entry(path_[position]) : uav_.home_m;
+    ahead += transit_.length_m(last, to);
+    back += transit_.length_m(first, to);
+  }
   const bool reversed = back < ahead;
   return {(reversed ? back : ahead) - transits_m_[position], position, reversed, true, true};
 }
@@ -103,15 +108,16 @@ void DistanceScore::update(TaskId task, std::uint32_t split) {
 
 void DistanceScore::insert(TaskId task, const Insertion& where) {
   const std::uint32_t l = where.position;
+  tour_m_ += at(task, l).detour_m + set_.tasks[task.value].length_m();
   path_.insert(path_.begin() + l, PathStop{task, where.reversed});
-  tour_m_ += cached_[task.value].detour_m + set_.tasks[task.value].length_m();
-  transits_m_[l] = transit_.length_m(before(l), after(l));
-  transits_m_.insert(transits_m_.begin() + l + 1, transit_.length_m(before(l + 1), after(l + 1)));
+  transits_m_[l] = leg_m(l);
+  transits_m_.insert(transits_m_.begin() + l + 1, leg_m(l + 1));
   retire(task);
   for (const TaskId other : active_) update(other, l);
 }
 
 void DistanceScore::retire(TaskId task) {
+  if (!cached_[task.value].known) return;
   cached_[task.value].known = false;
   std::erase(active_, task);
 }

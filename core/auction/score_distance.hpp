@@ -5,10 +5,11 @@
 
 namespace arcbid {
 
-/// MiniMax and MiniSum: both ask only how many metres the cheapest insertion adds to the closed
-/// tour home -> path -> home. The cheapest insertion of every task still asked for is kept, and an
-/// insertion costs O(1) for each. A task whose best place was just taken keeps its old cost as a
-/// lower bound, and is scanned again only when somebody asks for the exact one.
+/// MiniMax and MiniSum: both ask only how many metres the cheapest insertion adds to the tour home
+/// -> path -> home, or, where nobody returns home, home -> path. The cheapest insertion of every
+/// task still asked for is kept, and an insertion costs O(1) for each. A task whose best place was
+/// just taken keeps its old cost as a lower bound, and is scanned again only when somebody asks for
+/// the exact one.
 class DistanceScore final : public PathScore {
  public:
   /// `whole_tour`: MiniMax, minus the time of the whole tour, which has diminishing gains because
@@ -35,7 +36,7 @@ class DistanceScore final : public PathScore {
   const Vec3& entry(const PathStop& stop) const;
   const Vec3& exit(const PathStop& stop) const;
   const Vec3& before(std::size_t position) const;
-  const Vec3& after(std::size_t position) const;
+  double leg_m(std::size_t position) const;
   Cached at(TaskId task, std::uint32_t position) const;
   void scan(TaskId task);
   Cached& known(TaskId task);

@@ -84,6 +84,7 @@ TaskSet split(const std::vector<Arc>& arcs, std::optional<double> split_m,
   }
   for (std::size_t m = 0; m < arcs.size(); ++m)
     cut_arc(arcs[m], lengths_m[m], set.piece_m, set.tasks);
+  for (Task& task : set.tasks) task.value = task.length_m();
   set.digest = digest_of(set.tasks);
   return set;
 }

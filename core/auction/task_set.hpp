@@ -17,6 +17,7 @@ struct Task {
   ArcId arc;
   double from_m = 0, to_m = 0;  ///< distances along the arc from its first waypoint, from_m < to_m
   Vec3 first_m = Vec3::Zero(), last_m = Vec3::Zero();  ///< where the piece begins and ends
+  double value = 0;  ///< to discounted scores: the length in metres, unless it was given
   double length_m() const { return to_m - from_m; }
 };
 
@@ -25,6 +26,7 @@ struct Task {
 struct TaskSet {
   std::vector<Task> tasks;  ///< by arc, then along the arc; tasks[j].id.value == j
   double piece_m = 0;       ///< the piece length used
+  bool return_home = true;  ///< paths end at home; false: at their last task
   std::uint64_t digest = 0;
   std::vector<std::string> warnings;
 

@@ -17,7 +17,8 @@ Reason implausible(std::uint64_t incarnation, std::uint64_t last = last_incarnat
 }
 
 Reason refusal(const Claims& claims, const Expected& expected, const View&) {
-  if (expected.policy != PolicyKind::claims) return "claims, but the mission's policy is cbba";
+  if (!states_claims(expected.policy))
+    return fmt::format("claims, but the mission's policy is {}", name_of(expected.policy));
   std::vector<bool> seen(expected.tasks, false);
   for (const Claim& claim : claims.bundle) {
     if (claim.task.value >= expected.tasks)
@@ -31,11 +32,17 @@ Reason refusal(const Claims& claims, const Expected& expected, const View&) {
 }
 
 Reason refusal(const Table& table, const Expected& expected, const View& view) {
-  if (expected.policy != PolicyKind::cbba) return "a table, but the mission's policy is claims";
+  if (states_claims(expected.policy))
+    return fmt::format("a table, but the mission's policy is {}", name_of(expected.policy));
   if (table.beliefs.size() != expected.tasks)
     return fmt::format("a table of {} tasks, not {}", table.beliefs.size(), expected.tasks);
-  if (table.timestamps.size() != view.roster().size())
-    return fmt::format("{} timestamps, not {}", table.timestamps.size(), view.roster().size());
+  const bool by_task = expected.policy == PolicyKind::acbba;
+  const std::size_t timestamps = by_task ? expected.tasks : view.roster().size();
+  if (table.timestamps.size() != timestamps)
+    return fmt::format("{} timestamps, not {}", table.timestamps.size(), timestamps);
+  for (const std::uint64_t time : table.timestamps)
+    if (by_task && time > last_timestamp)
+      return fmt::format("timestamp {} is beyond {}", time, last_timestamp);
   for (std::size_t j = 0; j < table.beliefs.size(); ++j) {
     const Belief& belief = table.beliefs[j];
     if (!std::isfinite(belief.bid)) return fmt::format("the bid for task {} is {}", j, belief.bid);

@@ -23,6 +23,9 @@ struct Expected {
 /// life could not be refuted by a later one for ever.
 inline constexpr std::uint64_t last_incarnation = (std::uint64_t{1} << 42) - 1;
 
+/// The latest time in a table of ACBBA: logical clocks must have room to go on.
+inline constexpr std::uint64_t last_timestamp = UINT64_MAX - 1 - (std::uint64_t{1} << 32);
+
 /// Why a message is refused, in one line; none: it is sound. Nothing refused is ever applied.
 std::optional<std::string> refusal(const Header& header, const Expected& expected,
                                    const View& view);

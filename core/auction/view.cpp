@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/auction/bundle.hpp"
+#include "core/auction/roster.hpp"
 #include "core/base/digest.hpp"
 #include "core/base/error.hpp"
 
@@ -47,9 +48,7 @@ bool View::merge(Statement statement) {
 }
 
 std::optional<std::size_t> View::position(AgentId agent) const {
-  const auto at = std::lower_bound(roster_.begin(), roster_.end(), agent);
-  if (at == roster_.end() || *at != agent) return std::nullopt;
-  return static_cast<std::size_t>(at - roster_.begin());
+  return position_in(roster_, agent);
 }
 
 bool View::heard(std::size_t position) const {

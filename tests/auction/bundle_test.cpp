@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/auction/bundle.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -57,13 +58,17 @@ std::vector<Belief> random_rivals(const RealBundle& real, Dice& dice) {
   std::vector<Belief> rivals(real.set.tasks.size());
   for (Belief& rival : rivals)
     if (dice.unit() < 0.7) {
-      const bool minimax = real.mission.auction.score != ScoreKind::discounted;
-      rival = {AgentId{dice.unit() < 0.5 ? 1u : 3u}, (minimax ? -200 : 10) * dice.unit()};
+      const ScoreKind kind = real.mission.auction.score;
+      const bool cost = kind == ScoreKind::minimax || kind == ScoreKind::minisum;
+      rival = {AgentId{dice.unit() < 0.5 ? 1u : 3u}, (cost ? -200 : 10) * dice.unit()};
     }
   return rivals;
 }
 
-constexpr ScoreKind all_scores[] = {ScoreKind::minimax, ScoreKind::minisum, ScoreKind::discounted};
+constexpr ScoreKind all_scores[] = {
+    ScoreKind::minimax,           ScoreKind::minisum,
+    ScoreKind::independent,       ScoreKind::discounted_append,
+    ScoreKind::discounted_insert, ScoreKind::discounted_insert_warped};
 
 TEST(Beats, AnyBidWinsAgainstNone) {
   EXPECT_TRUE(beats(-1e300, {9}, {}));
@@ -202,9 +207,70 @@ TEST(Bundle, HoldsTheSameTasksAsItsPathAndBidsThatNeverRise) {
       }
       for (const PathStop& stop : real.bundle->path()) flown.push_back(stop.task);
       EXPECT_THAT(flown, ::testing::UnorderedElementsAreArray(claimed));
-      const auto bids = bids_of(*real.bundle);
+      const auto bids = bids_of(*real.bundle);  // RealBundle warps whatever the score
       EXPECT_TRUE(std::is_sorted(bids.rbegin(), bids.rend()));
     }
+}
+
+/// Some rivals bid anew, some give up.
+void change_some(std::vector<Belief>& rivals, const std::vector<Belief>& others, Dice& dice) {
+  const double share = dice.unit() < 0.5 ? 0.05 : 0.4;
+  for (std::size_t j = 0; j < rivals.size(); ++j)
+    if (dice.unit() < share) rivals[j] = dice.unit() < 0.5 ? others[j] : Belief{};
+}
+
+TEST(Bundle, RebuildsToWhatABuildFromNothingGives) {
+  for (const ScoreKind kind : all_scores)
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+      const std::uint32_t limit = seed % 3 == 0 ? 5 : 0;
+      RealBundle kept(seed, kind, limit);
+      Dice dice(seed);
+      auto rivals = random_rivals(kept, dice);
+      for (int change = 0; change < 25; ++change) {
+        SCOPED_TRACE(fmt::format("{}, seed {}, change {}", name_of(kind), seed, change));
+        const auto before = kept.bundle->claims();
+        if (dice.unit() < 0.2) kept.bundle->release_from(dice.below(before.size() + 1));
+        const auto released = kept.bundle->claims();
+        const bool changed = kept.bundle->rebuild(rivals);
+        RealBundle fresh(seed, kind, limit);
+        fresh.bundle->extend(rivals);
+        ASSERT_EQ(kept.bundle->claims(), fresh.bundle->claims());
+        ASSERT_EQ(kept.bundle->path(), fresh.bundle->path());
+        ASSERT_EQ(changed, kept.bundle->claims() != released);
+        change_some(rivals, random_rivals(kept, dice), dice);
+      }
+    }
+}
+
+TEST(Bundle, RebuildsAmongTiesAsFromNothing) {
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    Dice dice(seed);
+    std::vector<double> gains;
+    for (int j = 0; j < 8; ++j) gains.push_back(static_cast<double>(dice.below(6)));
+    const auto gain = [gains](TaskId j, const auto& path) {
+      return gains[j.value] - static_cast<double>(path.size() % 2 * (j.value % 3));
+    };
+    Bundle kept(self, std::make_unique<ScriptedScore>(gain, false), 8, seed % 2 ? 4 : 0);
+    std::vector<Belief> rivals(8);
+    for (int change = 0; change < 20; ++change) {
+      kept.rebuild(rivals);
+      Bundle fresh(self, std::make_unique<ScriptedScore>(gain, false), 8, seed % 2 ? 4 : 0);
+      fresh.extend(rivals);
+      ASSERT_EQ(kept.claims(), fresh.claims()) << "seed " << seed << ", change " << change;
+      rivals[dice.below(8)] = {AgentId{dice.unit() < 0.5 ? 1u : 3u},
+                               static_cast<double>(dice.below(6))};
+      if (dice.unit() < 0.3) rivals[dice.below(8)] = {};
+    }
+  }
+}
+
+TEST(Bundle, BidsItsTrueGainsWhenAskedTo) {
+  Bundle bundle(self,
+                std::make_unique<ScriptedScore>(
+                    [](TaskId, const auto& path) { return 5.0 + double(path.size()); }, false),
+                3, 0, Bundle::Bids::true_gains);
+  bundle.extend(std::vector<Belief>(3));
+  EXPECT_THAT(bids_of(bundle), ElementsAre(5, 6, 7));
 }
 
 TEST(Bundle, ReleasesExactlyTheTail) {

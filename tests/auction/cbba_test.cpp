@@ -37,7 +37,8 @@ std::vector<TaskId> flown(const CbbaState& state) {
 
 TEST(CbbaState, BidsForAllThatIsFree) {
   CbbaState state = scripted(falling, 3);
-  state.rebid();
+  state.release();
+  state.bid();
   EXPECT_THAT(state.table().beliefs,
               ::testing::ElementsAre(Belief{self, 100.0}, Belief{self, 89.0}, Belief{self, 78.0}));
 }
@@ -48,13 +49,15 @@ TEST_P(ReleaseCascade, FreesTheTaskLostAndAllThatWereBundledAfterIt) {
   constexpr std::uint32_t tasks = 5;
   const std::uint32_t q = GetParam();
   CbbaState state = scripted(falling, tasks);
-  state.rebid();
+  state.release();
+  state.bid();
   const std::vector<Claim> before = state.bundle().claims();
   ASSERT_EQ(before.size(), tasks);
   Table message = nothing_known(tasks);
   message.beliefs[q] = {AgentId{2}, 1000.0};
   state.receive(second, message, 1);
-  state.rebid();
+  state.release();
+  state.bid();
 
   const std::vector<Claim>& after = state.bundle().claims();
   ASSERT_EQ(after.size(), tasks - 1);
@@ -76,15 +79,18 @@ INSTANTIATE_TEST_SUITE_P(AtPosition, ReleaseCascade, ::testing::Range(0u, 5u));
 
 TEST(ReleaseCascade, AlsoFollowsAReset) {
   CbbaState state = scripted(falling, 3);
-  state.rebid();
+  state.release();
+  state.bid();
   Table message = nothing_known(3);
   message.beliefs[0] = {AgentId{2}, 1000.0};
   state.receive(second, message, 1);
-  state.rebid();
+  state.release();
+  state.bid();
   ASSERT_EQ(state.bundle().claims().size(), 2u);
   message.beliefs[0] = {};  // row 15: the winner gave it up
   state.receive(second, message, 2);
-  state.rebid();
+  state.release();
+  state.bid();
   EXPECT_EQ(state.table().beliefs[0].winner, self);
   EXPECT_EQ(state.bundle().claims().size(), 3u);
 }

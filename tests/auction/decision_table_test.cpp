@@ -255,7 +255,7 @@ Table table_of(const Belief& belief, const Cast& cast, std::uint64_t of_m, std::
 CbbaState receiver(Who has, const Cast& cast) {
   auto score = std::make_unique<ScriptedScore>([](TaskId, const auto&) { return our_bid; });
   CbbaState state(cast[0], {{1}, {2}, {3}, {4}}, Bundle(cast[0], std::move(score), 1, 0), 1);
-  if (has == Who::i) state.rebid();
+  if (has == Who::i) state.bid();
   const Belief heard = has == Who::i ? Belief{} : belief(has, cast, our_bid);
   state.receive(cast[1].value - 1, table_of(heard, cast, our_news, our_news), our_news);
   return state;

@@ -32,20 +32,33 @@ class LatticeTransit final : public Transit {
   std::vector<Vec3> way(const Vec3& from, const Vec3& to) const override { return {from, to}; }
 };
 
-/// Tasks between points of a 5 x 5 x 2 lattice: many coincide, and some end where they begin.
-TaskSet lattice_tasks(Dice& dice, std::uint32_t count) {
+/// Tasks between points of a 5 x 5 x 2 lattice: many coincide, and some end where they begin. None
+/// is a short cut.
+TaskSet lattice_tasks(Dice& dice, std::uint32_t count, const Transit& transit) {
   const auto point = [&] {
     return Vec3(double(dice.below(5)), double(dice.below(5)), double(dice.below(2)));
   };
   TaskSet set;
   for (std::uint32_t j = 0; j < count; ++j) {
-    const double length = 1 + static_cast<double>(dice.below(4));
-    set.tasks.push_back({{j}, {j}, 0, length, point(), point()});
+    const Vec3 first = point(), last = point();
+    const double length = std::max(transit.length_m(first, last), transit.length_m(last, first)) +
+                          1 + static_cast<double>(dice.below(4));
+    set.tasks.push_back({{j}, {j}, 0, length, first, last, 1 + dice.unit()});
   }
   return set;
 }
 
-/// The plain reading of the three scores.
+bool appends(ScoreKind kind) {
+  return kind == ScoreKind::independent || kind == ScoreKind::discounted_append;
+}
+bool rewards(ScoreKind kind) {
+  return kind != ScoreKind::minimax && kind != ScoreKind::minisum;
+}
+bool diminishes(ScoreKind kind) {
+  return kind == ScoreKind::minimax || appends(kind);
+}
+
+/// The plain reading of the scores.
 struct Naive {
   const TaskSet& set;
   const Uav& uav;
@@ -60,7 +73,7 @@ struct Naive {
       sum += transit.length_m(at, stop.reversed ? task.last_m : task.first_m) + task.length_m();
       at = stop.reversed ? task.first_m : task.last_m;
     }
-    return sum + transit.length_m(at, uav.home_m);
+    return set.return_home ? sum + transit.length_m(at, uav.home_m) : sum;
   }
 
   double reward(const Path& path) const {
@@ -70,7 +83,7 @@ struct Naive {
       const Task& task = set.tasks[stop.task.value];
       const Vec3& entry = stop.reversed ? task.last_m : task.first_m;
       time += (transit.length_m(at, entry) + task.length_m()) / uav.speed_mps;
-      sum += task.length_m() * std::exp(-settings.discount_per_s * time);
+      sum += task.value * std::exp(-settings.discount_per_s * time);
       at = stop.reversed ? task.first_m : task.last_m;
     }
     return sum;
@@ -80,14 +93,16 @@ struct Naive {
   double gain(const Path& path, TaskId task, std::size_t position, bool reversed) const {
     Path longer = path;
     longer.insert(longer.begin() + static_cast<std::ptrdiff_t>(position), {task, reversed});
-    if (settings.score == ScoreKind::discounted) return reward(longer) - reward(path);
+    if (settings.score == ScoreKind::independent) return reward({{task, reversed}});
+    if (rewards(settings.score)) return reward(longer) - reward(path);
     if (settings.score == ScoreKind::minimax) return -metres(longer) / uav.speed_mps;
     return -(metres(longer) - metres(path)) / uav.speed_mps;
   }
 
   Insertion best(const Path& path, TaskId task) const {
     Insertion best{-HUGE_VAL, 0, false};
-    for (std::uint32_t l = 0; l <= path.size(); ++l)
+    const std::size_t first = appends(settings.score) ? path.size() : 0;
+    for (auto l = static_cast<std::uint32_t>(first); l <= path.size(); ++l)
       for (const bool reversed : {false, true})
         if (const double c = gain(path, task, l, reversed); c > best.gain) best = {c, l, reversed};
     return best;
@@ -96,7 +111,8 @@ struct Naive {
 
 struct World {
   World(std::uint64_t seed, ScoreKind kind, std::uint32_t tasks) : dice(seed) {
-    set = lattice_tasks(dice, tasks);
+    set = lattice_tasks(dice, tasks, transit);
+    set.return_home = seed % 3 > 0;
     uav = {{1}, Vec3(double(dice.below(5)), double(dice.below(5)), 0), 2.0};
     settings.score = kind;
     score = make_score(set, uav, settings, transit);
@@ -155,13 +171,16 @@ class Score : public ::testing::TestWithParam<ScoreKind> {
 };
 
 std::string name_of(const ::testing::TestParamInfo<ScoreKind>& kind) {
-  const char* names[] = {"MiniMax", "MiniSum", "Discounted"};
-  return names[int(kind.param)];
+  std::string name(arcbid::name_of(kind.param));
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Score,
                          ::testing::Values(ScoreKind::minimax, ScoreKind::minisum,
-                                           ScoreKind::discounted),
+                                           ScoreKind::independent, ScoreKind::discounted_append,
+                                           ScoreKind::discounted_insert,
+                                           ScoreKind::discounted_insert_warped),
                          name_of);
 
 TEST_P(Score, EqualsAFullRecomputation) {
@@ -173,7 +192,7 @@ TEST_P(Score, EqualsAFullRecomputation) {
       ASSERT_NEAR(got.gain, expected.gain, 1e-9);
       // The place may differ only where exponentials round two true equals apart.
       ASSERT_NEAR(world.naive.gain(path, task, got.position, got.reversed), expected.gain, 1e-9);
-      if (GetParam() == ScoreKind::discounted) return;
+      if (rewards(GetParam())) return;
       ASSERT_EQ(got.gain, expected.gain);
       ASSERT_EQ(got.position, expected.position) << "a tie goes to the earlier position";
       ASSERT_EQ(got.reversed, expected.reversed) << "a tie goes to the direction of the arc";
@@ -206,7 +225,7 @@ TEST_P(Score, DoesNotReverseATaskThatEndsWhereItBegins) {
 }
 
 TEST_P(Score, SaysWhetherItsGainsDiminish) {
-  EXPECT_EQ(World(1, GetParam(), 1).score->diminishing(), GetParam() == ScoreKind::minimax);
+  EXPECT_EQ(World(1, GetParam(), 1).score->diminishing(), diminishes(GetParam()));
 }
 
 /// By how much a gain may rise when the path grows by one task; <= 0 when gains diminish.
@@ -243,19 +262,24 @@ TEST(Gains, DiminishUnderMiniMax) {
   EXPECT_LT(largest_rise(ScoreKind::minimax), 1e-9);
 }
 
+TEST(Gains, DiminishWhereTasksAreAddedAtTheEnd) {
+  EXPECT_LT(largest_rise(ScoreKind::independent), 1e-9);
+  EXPECT_LT(largest_rise(ScoreKind::discounted_append), 1e-9);
+}
+
 TEST(Gains, MayRiseUnderMiniSum) {
   EXPECT_GT(largest_rise(ScoreKind::minisum), 0.1);
 }
 
 TEST(Gains, MayRiseUnderTheTimeDiscountedReward) {
-  EXPECT_GT(largest_rise(ScoreKind::discounted), 0.1);
+  EXPECT_GT(largest_rise(ScoreKind::discounted_insert_warped), 0.1);
 }
 
 /// Home at the origin at 2 m/s; task 0 from x = 10 to 14, task 1 from x = 20 to 16.
 struct Line {
   Line(ScoreKind kind) {
-    set.tasks = {{{0}, {0}, 0, 4, Vec3(10, 0, 0), Vec3(14, 0, 0)},
-                 {{1}, {1}, 0, 4, Vec3(20, 0, 0), Vec3(16, 0, 0)}};
+    set.tasks = {{{0}, {0}, 0, 4, Vec3(10, 0, 0), Vec3(14, 0, 0), 4},
+                 {{1}, {1}, 0, 4, Vec3(20, 0, 0), Vec3(16, 0, 0), 4}};
     settings.score = kind;
     score = make_score(set, uav, settings, transit);
     score->insert({0}, score->best({0}));
@@ -280,8 +304,34 @@ TEST(MiniSum, IsMinusTheTimeAdded) {
   EXPECT_DOUBLE_EQ(line.score->best({1}).gain, -6.0);
 }
 
+TEST(MiniMax, IsMinusTheTimeOfTheOpenPathWhereNobodyReturns) {
+  Line line(ScoreKind::minimax);
+  line.set.return_home = false;
+  line.score->assign({{{0}, false}});
+  const Insertion where = line.score->best({1});
+  EXPECT_DOUBLE_EQ(where.gain, -10.0);  // out to 20, without the way back
+  EXPECT_TRUE(where.reversed);
+}
+
+TEST(Independent, AsksOnlyForTheWayFromHome) {
+  Line line(ScoreKind::independent);
+  const Insertion where = line.score->best({1});
+  EXPECT_EQ(where.position, 1u);
+  EXPECT_TRUE(where.reversed);
+  EXPECT_DOUBLE_EQ(where.gain, 4 * std::exp(-0.02 * 10));
+}
+
+TEST(DiscountedAppend, ComesAtTheEndThoughAnEarlierPlaceWereBetter) {
+  Line line(ScoreKind::discounted_append);
+  line.score->assign({{{1}, true}});
+  const Insertion where = line.score->best({0});
+  EXPECT_EQ(where.position, 1u);
+  EXPECT_TRUE(where.reversed);
+  EXPECT_DOUBLE_EQ(where.gain, 4 * std::exp(-0.02 * (10 + 3 + 2)));
+}
+
 TEST(Discounted, IsTheLengthDiscountedByTheTimeOfCompletion) {
-  Line line(ScoreKind::discounted);
+  Line line(ScoreKind::discounted_insert_warped);
   const Insertion where = line.score->best({1});
   EXPECT_EQ(where.position, 1u);
   EXPECT_TRUE(where.reversed);

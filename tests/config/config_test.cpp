@@ -48,7 +48,7 @@ structure:
 coverage: {spacing_m: 3, standoff_m: 4.5, safety_m: 2.5, ground_clearance_m: 1, rows: long_side,
   seed: 9, ground_m: -0.5}
 fleet: {agents: 7, speed_mps: 2}
-auction: {policy: cbba, score: discounted, discount_per_s: 0.5, split_m: 12, max_tasks: 50,
+auction: {policy: cbba, score: discounted-insert-warped, discount_per_s: 0.5, split_m: 12, max_tasks: 50,
   bundle_limit: 8, tick_ms: 12.5, lease_ms: 3000, barrier_ms: 4000}
 tour: {seed: 11, epochs: 12}
 network: {transport: discovery_server, domain: 17, server_address: 127.0.0.2, server_port: 12,
@@ -81,7 +81,7 @@ timeout_s: 60
   EXPECT_EQ(c.fleet.agents, 7u);
   EXPECT_EQ(c.fleet.speed_mps, 2);
   EXPECT_EQ(c.auction.policy, PolicyKind::cbba);
-  EXPECT_EQ(c.auction.score, ScoreKind::discounted);
+  EXPECT_EQ(c.auction.score, ScoreKind::discounted_insert_warped);
   EXPECT_EQ(c.auction.discount_per_s, 0.5);
   EXPECT_EQ(c.auction.split_m, 12);
   EXPECT_EQ(c.auction.max_tasks, 50u);
@@ -147,6 +147,8 @@ TEST(Config, NumbersAsPeopleWriteThem) {
 TEST(Config, EveryShippedConfigLoadsAndPrintsBackTheSame) {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(source_dir / "configs")) {
+    const bool of_a_run = entry.is_regular_file() && entry.path().filename() != "sim.yaml";
+    if (!of_a_run) continue;
     SCOPED_TRACE(entry.path());
     const Config c = load_config(entry.path());
     EXPECT_NO_THROW(validate(c));

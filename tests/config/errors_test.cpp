@@ -66,9 +66,11 @@ const std::vector<Case> one_value = {
     {"MappingForScalar", "name: {a: b}",
      "demo.yaml:1:7: name: a mapping is not 1 to 64 printable characters without / or \\"},
     {"Choice", "auction: {policy: auctioneer}",
-     "demo.yaml:1:19: auction.policy: auctioneer is not one of claims, cbba"},
+     "demo.yaml:1:19: auction.policy: auctioneer is not one of claims, claims-keep, cbba, "
+     "cbba-rebuild, acbba"},
     {"ChoiceMisspelt", "auction: {policy: claimz}",
-     "demo.yaml:1:19: auction.policy: claimz is not one of claims, cbba; did you mean claims?"},
+     "demo.yaml:1:19: auction.policy: claimz is not one of claims, claims-keep, cbba, "
+     "cbba-rebuild, acbba; did you mean claims?"},
     {"YesIsNotTrue", "network: {reliable_bids: yes}",
      "demo.yaml:1:26: network.reliable_bids: yes is not one of true, false"},
     {"NumberOrWord", "auction: {split_m: short}",

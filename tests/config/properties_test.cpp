@@ -68,9 +68,11 @@ Config legal_config() {
   c.coverage.seed = *rc::gen::arbitrary<std::uint32_t>();
   c.fleet = {*rc::gen::inRange(1u, 65u), number(0.1, 30), uavs()};
   if (!c.fleet.uavs.empty()) c.fleet.agents = static_cast<std::uint32_t>(c.fleet.uavs.size());
-  c.auction.policy = *rc::gen::element(PolicyKind::claims, PolicyKind::cbba);
-  c.auction.score =
-      *rc::gen::element(ScoreKind::minimax, ScoreKind::minisum, ScoreKind::discounted);
+  c.auction.policy =
+      *rc::gen::element(PolicyKind::claims, PolicyKind::claims_keep, PolicyKind::cbba,
+                        PolicyKind::cbba_rebuild, PolicyKind::acbba);
+  c.auction.score = *rc::gen::element(ScoreKind::minimax, ScoreKind::minisum,
+                                      ScoreKind::discounted_insert_warped);
   c.auction.discount_per_s = number(1e-6, 10);
   if (*rc::gen::arbitrary<bool>()) c.auction.split_m = number(0.1, 10000);
   c.auction.max_tasks = *rc::gen::inRange(1u, 100001u);

@@ -69,23 +69,23 @@ TEST(Convert, RoundTripOfEmptyAndAbsent) {
 
 TEST(Convert, ForeignSchemaVersionIsRefused) {
   wire::Mission mission = to_wire(samples::mission());
-  mission.schema_version(2);
-  EXPECT_THAT(refusal(mission), HasSubstr("schema_version = 2"));
+  mission.schema_version(3);
+  EXPECT_THAT(refusal(mission), HasSubstr("schema_version = 3"));
   wire::Control control = to_wire(samples::control());
   control.schema_version(7);
   EXPECT_THAT(refusal(control), HasSubstr("schema_version = 7"));
   wire::Bids bids = to_wire(samples::bids(1));
-  bids.header().schema_version(2);
-  EXPECT_THAT(refusal(bids), HasSubstr("schema_version = 2"));
+  bids.header().schema_version(3);
+  EXPECT_THAT(refusal(bids), HasSubstr("schema_version = 3"));
   wire::Relay relay = to_wire(samples::relay(1, 2));
-  relay.header().schema_version(2);
-  EXPECT_THAT(refusal(relay), HasSubstr("schema_version = 2"));
+  relay.header().schema_version(3);
+  EXPECT_THAT(refusal(relay), HasSubstr("schema_version = 3"));
   wire::Status status = to_wire(samples::status(1));
-  status.header().schema_version(2);
-  EXPECT_THAT(refusal(status), HasSubstr("schema_version = 2"));
+  status.header().schema_version(3);
+  EXPECT_THAT(refusal(status), HasSubstr("schema_version = 3"));
   wire::Route route = to_wire(samples::route(1));
-  route.header().schema_version(2);
-  EXPECT_THAT(refusal(route), HasSubstr("schema_version = 2"));
+  route.header().schema_version(3);
+  EXPECT_THAT(refusal(route), HasSubstr("schema_version = 3"));
 }
 
 TEST(Convert, NotFiniteIsRefusedEverywhere) {
@@ -139,7 +139,7 @@ TEST(Convert, ValuesOutsideEnumerationsAreRefused) {
   mission.arcs()[1].kind(static_cast<wire::ArcKind>(3));
   EXPECT_THAT(refusal(mission), HasSubstr("arc.kind = 3"));
   mission = to_wire(samples::mission());
-  mission.auction().policy(static_cast<wire::PolicyKind>(2));
+  mission.auction().policy(static_cast<wire::PolicyKind>(5));
   EXPECT_THAT(refusal(mission), HasSubstr("auction.policy = 2"));
   mission = to_wire(samples::mission());
   mission.auction().score(static_cast<wire::ScoreKind>(0xffffffff));

@@ -168,18 +168,16 @@ Keys<FleetConfig> fleet_keys() {
 Keys<AuctionSettings> auction_keys() {
   using A = AuctionSettings;
   return {
-      key("policy", &A::policy,
-          choice<PolicyKind>({{"claims", PolicyKind::claims}, {"cbba", PolicyKind::cbba}}),
-          "How conflicts are resolved: each agent states its own claims, or CBBA's tables as "
-          "published (Choi, Brunet, How 2009)."),
-      key("score", &A::score,
-          choice<ScoreKind>({{"minimax", ScoreKind::minimax},
-                             {"minisum", ScoreKind::minisum},
-                             {"discounted", ScoreKind::discounted}}),
-          "What a bid rewards: an early end of the agent's whole tour, a short detour, or an early "
-          "visit."),
+      key("policy", &A::policy, choice(enumerators<PolicyKind>(policy_names)),
+          "How conflicts are resolved: each agent states its own claims and rebuilds its bundle "
+          "(or keeps what it was not outbid on), or tables as in CBBA (Choi, Brunet, How 2009), "
+          "CBBA with rebuild, or ACBBA. Only claims survive every fault; see THEORY.md."),
+      key("score", &A::score, choice(enumerators<ScoreKind>(score_names)),
+          "What a bid rewards: an early end of the agent's whole tour, a short detour, nearness to "
+          "home, or an early visit: at the end of the path or where it fits best. "
+          "`discounted-insert` bids without warping and may cycle for ever."),
       key("discount_per_s", &A::discount_per_s, number<double>(1e-6, 10),
-          "Rate at which the discounted score falls with time."),
+          "Rate at which the discounted scores fall with time."),
       key("split_m", &A::split_m, number_or<double>("shortest_arc", 0.1, 10000),
           "Arcs are cut into pieces of this length before the auction; `shortest_arc`: the "
           "shortest arc's length (eq. 4)."),

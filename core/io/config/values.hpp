@@ -5,12 +5,14 @@
 #include <fmt/ranges.h>
 #include <yaml-cpp/yaml.h>
 
+#include <array>
 #include <cmath>
 #include <concepts>
 #include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -100,6 +102,14 @@ Kind<T> choice(const std::vector<std::pair<std::string, T>>& choices) {
               if (meant == value) return word;
             return std::string("?");
           }};
+}
+
+/// The enumerators of E by their names, which stand in the order of their values.
+template <class E, std::size_t n>
+std::vector<std::pair<std::string, E>> enumerators(const std::array<std::string_view, n>& names) {
+  std::vector<std::pair<std::string, E>> out;
+  for (std::size_t i = 0; i < n; ++i) out.emplace_back(names[i], static_cast<E>(i));
+  return out;
 }
 
 /// true or false: the other words of YAML 1.1 (yes, on, ...) are more often mistakes.

@@ -84,16 +84,14 @@ json to_json(const Mission& mission) {
                 {"length_m", length_m(one.waypoints)},
                 {"waypoints", list(one.waypoints, [](const Waypoint& w) { return to_json(w); })}};
   };
-  constexpr std::array policies{"claims", "cbba"};
-  constexpr std::array scores{"minimax", "minisum", "discounted"};
   return {{"id", hex(mission.id)},
           {"digest", hex(digest(mission))},
           {"name", mission.name},
           {"fleet", list(mission.fleet, uav)},
           {"arcs", list(mission.arcs, arc)},
           {"auction",
-           {{"policy", policies.at(static_cast<std::size_t>(a.policy))},
-            {"score", scores.at(static_cast<std::size_t>(a.score))},
+           {{"policy", name_of(a.policy)},
+            {"score", name_of(a.score)},
             {"discount_per_s", a.discount_per_s},
             {"split_m", a.split_m ? json(*a.split_m) : json(nullptr)},
             {"max_tasks", a.max_tasks},

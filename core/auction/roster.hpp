@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "core/base/ids.hpp"
+
+namespace arcbid {
+
+/// Where an agent stands in a roster of ascending ids.
+inline std::optional<std::size_t> position_in(const std::vector<AgentId>& roster, AgentId agent) {
+  if (roster.empty()) return std::nullopt;
+  // Where ids have no gaps, as they mostly have, this is it.
+  const std::size_t guess = agent.value - roster.front().value;
+  if (guess < roster.size() && roster[guess] == agent) return guess;
+  const auto at = std::lower_bound(roster.begin(), roster.end(), agent);
+  if (at == roster.end() || *at != agent) return std::nullopt;
+  return static_cast<std::size_t>(at - roster.begin());
+}
+
+}  // namespace arcbid
