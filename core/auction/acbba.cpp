@@ -28,7 +28,8 @@ AcbbaReaction sender_names_receiver(Who receiver) {
 
 AcbbaReaction sender_names_another(Who receiver, bool higher, int age) {
   if (receiver == Who::i) return higher ? update : refresh;
-  if (receiver == Who::k || receiver == Who::none) return update;
+  if (receiver == Who::k) return update;
+  if (receiver == Who::none) return age > 0 ? update : leave;
   if (receiver == Who::m) return age > 0 ? update : age == 0 ? leave : leave_say_own;
   if (higher) return age >= 0 ? update : leave_say_own;
   return age > 0 ? update : leave_say_own;

@@ -4,13 +4,15 @@
 #include "core/auction/policy.hpp"
 #include "core/auction/readiness.hpp"
 #include "core/auction/view.hpp"
+#include "sim/auction/difference.hpp"
 #include "sim/auction/protocol.hpp"
 
 namespace arcbid {
 namespace {
 
 /// Statements flood: an agent passes on what it has learnt since its last message, where one of its
-/// neighbours can have it neither from its author nor from whom it came.
+/// neighbours can have it neither from its author nor from whom it came. Nothing is lost here, so
+/// that an agent need not say what it holds, and says bundles as differences to what it said last.
 class ClaimsRounds final : public RoundsProtocol {
  public:
   explicit ClaimsRounds(const RoundsWorld& world) : world_(world) {
@@ -20,7 +22,8 @@ class ClaimsRounds final : public RoundsProtocol {
           {make_policy(world.instance.tasks, uav, roster, world.settings, world.transit),
            View(roster), Readiness(roster.size(), agents_.size()),
            std::vector<bool>(roster.size(), false),
-           std::vector<std::vector<std::size_t>>(roster.size())});
+           std::vector<std::vector<std::size_t>>(roster.size()),
+           std::vector<std::vector<Claim>>(roster.size())});
   }
 
   bool play(Traffic& traffic) override {
@@ -60,6 +63,7 @@ class ClaimsRounds final : public RoundsProtocol {
     Readiness readiness;
     std::vector<bool> news;                    // by author: not said yet
     std::vector<std::vector<std::size_t>> by;  // by author: neighbours that the newest came from
+    std::vector<std::vector<Claim>> said;      // by author: the bundle that the neighbours have
     bool undecided = true;
     std::uint32_t version = 0;
     std::uint64_t hash = 0;
@@ -110,10 +114,12 @@ class ClaimsRounds final : public RoundsProtocol {
       agent.news[author] = false;
       if (!news || !wanted(i, author)) continue;
       const Statement& statement = agent.view.of(author);
-      message.statements.push_back(statement);
-      bytes += statement_bytes + claim_bytes * std::get<Claims>(statement.body).bundle.size();
+      std::vector<Claim>& said = agent.said[author];
+      const Difference what = difference(said, std::get<Claims>(statement.body).bundle);
+      bytes += statement_bytes + what.bytes();
+      said = restored(what, said);  // as every neighbour does
+      message.statements.push_back({statement.agent, statement.key, Claims{said}});
     }
-    if (!message.statements.empty()) bytes += timestamp_bytes * agents_.size();
     message.silent = message.statements.empty() && !agent.ready_grew;
     agent.ready_grew = false;
     if (message.silent) return message;
