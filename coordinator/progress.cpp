@@ -26,7 +26,7 @@ void Progress::heard(const RouteMessage& route) {
 bool Progress::complete_under(const StatusMessage& witness, TimeNs now_ns) const {
   if (witness.phase != Phase::routed || witness.view.size() != roster_.size()) return false;
   for (std::size_t k = 0; k < roster_.size(); ++k) {
-    if (witness.view[k].dead) {
+    if (witness.view[k].key.dead) {
       const auto heard = heard_ns_.find(roster_[k]);
       if (heard != heard_ns_.end() && now_ns - heard->second < lease_ns_) return false;
       continue;

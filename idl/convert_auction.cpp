@@ -78,7 +78,7 @@ Claims decode(const std::vector<wire::Claim>& bundle, Verdict& verdict) {
 
 Table decode(const wire::Table& table, Verdict& verdict) {
   verdict.at_most("table.beliefs", table.beliefs().size(), kMaxArcs);
-  verdict.at_most("table.timestamps", table.timestamps().size(), kMaxAgents);
+  verdict.at_most("table.timestamps", table.timestamps().size(), kMaxArcs);
   Table out;
   if (!verdict.accepted()) return out;
   for (const wire::Belief& belief : table.beliefs()) {
@@ -107,6 +107,21 @@ Statement decode(const wire::Statement& statement, std::uint32_t agent, Verdict&
     out.body = decode(statement.body().table(), verdict);
   else
     verdict.require(false, "statement.body", static_cast<std::uint32_t>(kind));
+  return out;
+}
+
+wire::Held encode(const Held& held) {
+  wire::Held out;
+  out.agent(held.agent.value);
+  out.version(encode(held.key));
+  return out;
+}
+
+wire::Pulse encode(const Pulse& pulse) {
+  wire::Pulse out;
+  out.agent(pulse.agent.value);
+  out.heartbeat().incarnation(pulse.heartbeat.incarnation);
+  out.heartbeat().counter(pulse.heartbeat.counter);
   return out;
 }
 
@@ -171,12 +186,9 @@ wire::Status to_wire(const StatusMessage& message) {
   out.matched_peers(message.matched_peers);
   out.view_hash(message.view_hash);
   for (const AgentId agent : message.ready) out.ready().push_back(agent.value);
-  for (const StatementKey& key : message.view) out.view().push_back(encode(key));
-  out.heartbeats().resize(message.heartbeats.size());
-  for (std::size_t i = 0; i < message.heartbeats.size(); ++i) {
-    out.heartbeats()[i].incarnation(message.heartbeats[i].incarnation);
-    out.heartbeats()[i].counter(message.heartbeats[i].counter);
-  }
+  out.whole(message.whole);
+  for (const Held& held : message.view) out.view().push_back(encode(held));
+  for (const Pulse& pulse : message.heartbeats) out.heartbeats().push_back(encode(pulse));
   return out;
 }
 
@@ -193,9 +205,12 @@ Decoded<StatusMessage> from_wire(const wire::Status& message) {
   out.matched_peers = message.matched_peers();
   out.view_hash = message.view_hash();
   for (const std::uint32_t agent : message.ready()) out.ready.push_back(AgentId{agent});
-  for (const wire::StatementKey& key : message.view()) out.view.push_back(decode(key));
-  for (const wire::Heartbeat& beat : message.heartbeats())
-    out.heartbeats.push_back({beat.incarnation(), beat.counter()});
+  out.whole = message.whole();
+  for (const wire::Held& held : message.view())
+    out.view.push_back({AgentId{held.agent()}, decode(held.version())});
+  for (const wire::Pulse& pulse : message.heartbeats())
+    out.heartbeats.push_back(
+        {AgentId{pulse.agent()}, {pulse.heartbeat().incarnation(), pulse.heartbeat().counter()}});
   return out;
 }
 

@@ -28,8 +28,8 @@ struct AcbbaReaction {
 /// The rule for a pair of beliefs. `higher`: the sender's bid beats the receiver's, ties going to
 /// the lower winner. `age`: the sender's time less the receiver's, by sign. Rules that read "equal
 /// bids" in the published table, and the pair (m, n) with equal bids, which has none there, follow
-/// the tie rule. The pair (m, none) also asks for a later time: without, a belief and the withdrawal
-/// that crosses it swap places for ever, on complete graphs too.
+/// the tie rule. The pair (m, none) also asks for a later time: without, a belief and the
+/// withdrawal that crosses it swap places for ever, on complete graphs too.
 AcbbaReaction acbba_rule(Who sender, Who receiver, bool higher, int age);
 
 /// A belief about one task and when its bid was made.

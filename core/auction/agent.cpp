@@ -54,7 +54,8 @@ Agent::Agent(AgentId self, std::uint64_t incarnation, std::shared_ptr<const Miss
       born_ns_(now_ns),
       present_(view_.roster().size(), false),
       decided_ns_(now_ns - mission_->auction.tick_ns),
-      status_sent_ns_(now_ns - mission_->auction.tick_ns) {
+      status_sent_ns_(now_ns - mission_->auction.tick_ns),
+      whole_sent_ns_(now_ns - mission_->auction.lease_ns) {
   check(incarnation != 0, "an agent has a life");
 }
 
@@ -98,20 +99,30 @@ void Agent::handle(const StatusMessage& status, Update& update) {
   if (!k) return;
   update.refused = refusal(status, view_);
   if (update.refused) return;
-  const Heartbeat stamp{status.header.incarnation, status.header.sequence};
-  membership_.heard(*k, stamp, now_ns_);
-  for (std::size_t m = 0; m < status.heartbeats.size(); ++m)
-    if (m != me_) membership_.heard(m, status.heartbeats[m], now_ns_);
   present_[*k] =
       status.phase > Phase::waiting_for_peers || status.matched_peers + 1 >= view_.roster().size();
   auction_is_on_ = auction_is_on_ || status.phase > Phase::waiting_for_peers;
-  const std::uint64_t life = status.heartbeats[me_].incarnation;
-  if (status.view[me_] > view_.key(me_)) refute(status.view[me_], update);
-  if (life > incarnation_) refute({.incarnation = life}, update);
-  dissemination_.holds(*k, stamp, status.view);
+  hear_what_is_held(*k, status, update);
   std::vector<bool> ready(view_.roster().size(), false);
   for (const AgentId agent : status.ready) ready[*view_.position(agent)] = true;
   if (readiness_.heard(*k, status.view_hash, std::move(ready))) status_is_news_ = true;
+}
+
+void Agent::hear_what_is_held(std::size_t k, const StatusMessage& status, Update& update) {
+  const Heartbeat stamp{status.header.incarnation, status.header.sequence};
+  membership_.heard(k, stamp, now_ns_);
+  for (const auto& [agent, heartbeat] : status.heartbeats) {
+    if (agent != self_)
+      membership_.heard(*view_.position(agent), heartbeat, now_ns_);
+    else if (heartbeat.incarnation > incarnation_)
+      refute({.incarnation = heartbeat.incarnation}, update);
+  }
+  std::vector<Dissemination::Holding> holdings;
+  for (const auto& [agent, key] : status.view) {
+    holdings.push_back({*view_.position(agent), key});
+    if (agent == self_ && key > view_.key(me_)) refute(key, update);
+  }
+  dissemination_.holds(k, stamp, status.whole, holdings);
 }
 
 void Agent::handle(const RoutePublished& route, Update&) {

@@ -103,7 +103,9 @@ class Agent {
   void state(std::uint32_t version);
   void prove(Update& update);
   void send(Update& update);
-  StatusMessage status() const;
+  StatusMessage status(bool whole) const;
+  void tell_what_is_held(StatusMessage& status) const;
+  void hear_what_is_held(std::size_t k, const StatusMessage& status, Update& update);
   Header header();
   TimeNs next_wake() const;
   bool everybody_is_here() const;
@@ -134,6 +136,9 @@ class Agent {
   std::uint64_t view_hash_ = 0;
   bool status_is_news_ = true;
   TimeNs status_sent_ns_;
+  TimeNs whole_sent_ns_;
+  std::vector<StatementKey> said_keys_;  // in the last whole status, by roster position
+  std::vector<Heartbeat> said_heartbeats_;
 };
 
 }  // namespace arcbid

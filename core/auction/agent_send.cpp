@@ -16,8 +16,9 @@ Header Agent::header() {
   return {self_, incarnation_, ++sequence_, expected_.mission_digest, expected_.task_digest};
 }
 
-StatusMessage Agent::status() const {
+StatusMessage Agent::status(bool whole) const {
   StatusMessage status;
+  status.whole = whole;
   status.phase = phase_;
   status.round = round_;
   status.matched_peers = matched_peers_;
@@ -26,9 +27,21 @@ StatusMessage Agent::status() const {
     for (std::size_t k = 0; k < view_.roster().size(); ++k)
       if (readiness_.set()[k]) status.ready.push_back(view_.roster()[k]);
   }
-  status.view = view_.keys();
-  status.heartbeats = membership_.heartbeats();
+  tell_what_is_held(status);
   return status;
+}
+
+/// A whole status names everybody; in between, what has changed since. What is said again and again
+/// until the next whole one is news, so that losing one status costs little.
+void Agent::tell_what_is_held(StatusMessage& status) const {
+  const std::vector<Heartbeat>& heartbeats = membership_.heartbeats();
+  for (std::size_t k = 0; k < view_.roster().size(); ++k) {
+    const AgentId agent = view_.roster()[k];
+    const bool new_life =
+        status.whole || heartbeats[k].incarnation != said_heartbeats_[k].incarnation;
+    if (status.whole || view_.key(k) != said_keys_[k]) status.view.push_back({agent, view_.key(k)});
+    if (new_life && k != me_) status.heartbeats.push_back({agent, heartbeats[k]});
+  }
 }
 
 void Agent::send(Update& update) {
@@ -41,18 +54,23 @@ void Agent::send(Update& update) {
   const AuctionSettings& auction = mission_->auction;
   const TimeNs since = now_ns_ - status_sent_ns_;
   const bool news = status_is_news_ && since >= auction.tick_ns;
-  if (!news && since < auction.lease_ns / heartbeats_a_lease) return;
-  StatusMessage message = status();
+  const bool due = now_ns_ - whole_sent_ns_ >= auction.lease_ns / heartbeats_a_lease;
+  if (!news && !due) return;
+  const bool whole = due || phase_ == Phase::routed;  // whoever waits for the end wants it all
+  StatusMessage message = status(whole);
   message.header = header();
-  message.heartbeats[me_] = {incarnation_, message.header.sequence};
   update.statuses.push_back(std::move(message));
   status_is_news_ = false;
   status_sent_ns_ = now_ns_;
+  if (!whole) return;
+  whole_sent_ns_ = now_ns_;
+  said_keys_ = view_.keys();
+  said_heartbeats_ = membership_.heartbeats();
 }
 
 TimeNs Agent::next_wake() const {
   const AuctionSettings& auction = mission_->auction;
-  TimeNs wake = status_sent_ns_ + auction.lease_ns / heartbeats_a_lease;
+  TimeNs wake = whole_sent_ns_ + auction.lease_ns / heartbeats_a_lease;
   if (status_is_news_) wake = std::min(wake, status_sent_ns_ + auction.tick_ns);
   if (phase_ == Phase::waiting_for_peers) return std::min(wake, born_ns_ + auction.barrier_ns);
   for (std::size_t k = 0; k < view_.roster().size(); ++k)

@@ -21,11 +21,13 @@ void Dissemination::learnt(std::size_t member, TimeNs now) {
   said_ns_[member].reset();
 }
 
-void Dissemination::holds(std::size_t member, const Heartbeat& stamp,
-                          std::vector<StatementKey> keys) {
+void Dissemination::holds(std::size_t member, const Heartbeat& stamp, bool whole,
+                          const std::vector<Holding>& holdings) {
   if (stamp <= stamps_[member]) return;
+  const bool new_life = stamp.incarnation != stamps_[member].incarnation;
   stamps_[member] = stamp;
-  known_[member] = std::move(keys);
+  if (whole || new_life) known_[member].assign(known_.size(), {});
+  for (const Holding& holding : holdings) known_[member][holding.author] = holding.key;
 }
 
 bool Dissemination::lacks(std::size_t reader, std::size_t author, const View& view) const {

@@ -21,9 +21,16 @@ class Dissemination {
   };
   Dissemination(std::size_t members, std::size_t self, Timing timing);
 
-  /// `member` holds `keys` (as of `sequence` of life `incarnation`): replaces what was known of it,
-  /// never the other way round, and never by a maximum, for a reborn agent holds less than it did.
-  void holds(std::size_t member, const Heartbeat& stamp, std::vector<StatementKey> keys);
+  /// One key that a member holds, by roster position.
+  struct Holding {
+    std::size_t author;
+    StatementKey key;
+  };
+  /// `member` said at `stamp` that it holds `holdings`, or, when not `whole`, that these are new.
+  /// It replaces what was known of it, never by a maximum, for a reborn agent holds less than it
+  /// did; older stamps change nothing.
+  void holds(std::size_t member, const Heartbeat& stamp, bool whole,
+             const std::vector<Holding>& holdings);
   /// The view has a new statement of `member`.
   void learnt(std::size_t member, TimeNs now);
 

@@ -92,16 +92,34 @@ struct Heartbeat {
   friend auto operator<=>(const Heartbeat&, const Heartbeat&) = default;
 };
 
+/// What an agent holds of another.
+struct Held {
+  AgentId agent;
+  StatementKey key;
+  friend bool operator==(const Held&, const Held&) = default;
+};
+
+/// The latest heartbeat that an agent knows of another.
+struct Pulse {
+  AgentId agent;
+  Heartbeat heartbeat;
+  friend bool operator==(const Pulse&, const Pulse&) = default;
+};
+
 /// Status and readiness (spec: "agreement is proven, not timed").
 struct StatusMessage {
   Header header;
   Phase phase = Phase::waiting_for_mission;
-  std::uint32_t round = 0;            ///< decisions the sender has made
-  std::uint32_t matched_peers = 0;    ///< other agents whose endpoints the sender's DDS has matched
-  std::uint64_t view_hash = 0;        ///< H: hash of the map V of newest statements
-  std::vector<AgentId> ready;         ///< S: agents known to have been ready for exactly V
-  std::vector<StatementKey> view;     ///< V's keys, in roster order; empty before the mission
-  std::vector<Heartbeat> heartbeats;  ///< in roster order; empty before the mission
+  std::uint32_t round = 0;          ///< decisions the sender has made
+  std::uint32_t matched_peers = 0;  ///< other agents whose endpoints the sender's DDS has matched
+  std::uint64_t view_hash = 0;      ///< H: hash of the map V of newest statements
+  std::vector<AgentId> ready;       ///< S: agents known to have been ready for exactly V
+  /// Whether `view` and `heartbeats` name the whole roster. Else only what is new since the
+  /// sender's last whole status: keys, and lives that were not known then. Neither names anybody
+  /// before the mission.
+  bool whole = true;
+  std::vector<Held> view;         ///< V's keys, ascending agents
+  std::vector<Pulse> heartbeats;  ///< ascending agents
 };
 
 /// A stretch of a route: a transit, or (part of) an arc flown from from_m to to_m (from_m > to_m:

@@ -53,6 +53,20 @@ Reason refusal(const Table& table, const Expected& expected, const View& view) {
   return {};
 }
 
+/// Entries must name agents of the fleet, each once, in ascending order.
+template <class Entry>
+Reason out_of_order(const std::vector<Entry>& entries, const View& view) {
+  for (std::size_t e = 0; e < entries.size(); ++e) {
+    const AgentId agent = entries[e].agent;
+    if (!view.position(agent))
+      return fmt::format("it speaks of agent {}, who is not of the fleet", agent.value);
+    if (e > 0 && !(entries[e - 1].agent < agent))
+      return fmt::format("it speaks of agent {} after agent {}", agent.value,
+                         entries[e - 1].agent.value);
+  }
+  return {};
+}
+
 }  // namespace
 
 Reason refusal(const Header& header, const Expected& expected, const View& view) {
@@ -90,13 +104,14 @@ Reason refusal(const Statement& statement, const Expected& expected, const View&
 
 Reason refusal(const StatusMessage& status, const View& view) {
   const std::size_t members = view.roster().size();
-  if (status.view.size() != members || status.heartbeats.size() != members)
-    return fmt::format("a view of {} and heartbeats of {} members, not {}", status.view.size(),
-                       status.heartbeats.size(), members);
-  for (const StatementKey& key : status.view)
-    if (const Reason reason = implausible(key.incarnation)) return reason;
-  for (const Heartbeat& beat : status.heartbeats)
-    if (const Reason reason = implausible(beat.incarnation)) return reason;
+  if (status.whole && status.view.size() != members)
+    return fmt::format("a whole view of {} members, not {}", status.view.size(), members);
+  if (const Reason reason = out_of_order(status.view, view)) return reason;
+  if (const Reason reason = out_of_order(status.heartbeats, view)) return reason;
+  for (const Held& held : status.view)
+    if (const Reason reason = implausible(held.key.incarnation)) return reason;
+  for (const Pulse& pulse : status.heartbeats)
+    if (const Reason reason = implausible(pulse.heartbeat.incarnation)) return reason;
   for (const AgentId agent : status.ready)
     if (!view.position(agent))
       return fmt::format("agent {} is called ready but is not of the fleet", agent.value);

@@ -57,8 +57,11 @@ class AgentTest : public ::testing::Test {
     message.header = header(sender);
     message.phase = phase;
     message.matched_peers = matched_peers;
-    message.view = agent->view().keys();
-    message.heartbeats.resize(3);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const AgentId member = agent->view().roster()[k];
+      message.view.push_back({member, agent->view().key(k)});
+      message.heartbeats.push_back({member, {}});
+    }
     return message;
   }
 

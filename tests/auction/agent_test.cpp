@@ -7,8 +7,10 @@
 namespace arcbid::testing {
 namespace {
 
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 TEST_F(AgentTest, DecidesAtMostOnceATick) {
   start();
@@ -40,7 +42,7 @@ TEST_F(AgentTest, CountsARelayedHeartbeatAsLife) {
   start();
   now = second;
   StatusMessage message = status(first);
-  message.heartbeats[at_third] = {life(third), 50};
+  message.heartbeats[at_third].heartbeat = {life(third), 50};
   hear(message);
   now = second + mission->auction.lease_ns;
   EXPECT_THAT(tick().died, IsEmpty());
@@ -93,7 +95,7 @@ TEST_F(AgentTest, AnswersATombstoneThatItOnlySeesInAStatus) {
   start();
   settle();
   StatusMessage message = status(third);
-  message.view[at_self] = {own_life + 40, true, 3};
+  message.view[at_self].key = {own_life + 40, true, 3};
   const Update update = hear(message);
   ASSERT_EQ(update.bids.size(), 1u);
   EXPECT_EQ(update.bids[0].statement.key, (StatementKey{own_life + 41, false, 1}));
@@ -111,7 +113,7 @@ TEST_F(AgentTest, AnswersAHeartbeatOfALifeThatItDoesNotLead) {
   start();
   settle();
   StatusMessage message = status(third);
-  message.heartbeats[at_self] = {own_life + 5, 1};
+  message.heartbeats[at_self].heartbeat = {own_life + 5, 1};
   hear(message);
   EXPECT_EQ(agent->view().key(at_self), (StatementKey{own_life + 6, false, 1}));
 }
@@ -206,23 +208,58 @@ TEST_F(AgentTest, PassesReadinessOnWithinATick) {
 TEST_F(AgentTest, SendsItsHeartbeatAndThoseItHeardOf) {
   start();
   StatusMessage heard = status(first);
-  heard.heartbeats[at_third] = {life(third), 77};
+  heard.heartbeats[at_third].heartbeat = {life(third), 77};
   hear(heard);
   now = second / 4;
   const Update update = tick();
   ASSERT_EQ(update.statuses.size(), 1u);
   const StatusMessage& sent = update.statuses[0];
-  EXPECT_EQ(sent.heartbeats[at_self], (Heartbeat{own_life, sent.header.sequence}));
-  EXPECT_EQ(sent.heartbeats[at_first], (Heartbeat{life(first), heard.header.sequence}));
-  EXPECT_EQ(sent.heartbeats[at_third], (Heartbeat{life(third), 77}));
-  EXPECT_EQ(sent.view, agent->view().keys());
+  EXPECT_TRUE(sent.whole);
+  EXPECT_THAT(sent.heartbeats, ElementsAre(Pulse{first, {life(first), heard.header.sequence}},
+                                           Pulse{third, {life(third), 77}}))
+      << "its own heartbeat is the header";
+  EXPECT_THAT(sent.view, ElementsAre(Held{first, agent->view().key(at_first)},
+                                     Held{self, agent->view().key(at_self)},
+                                     Held{third, agent->view().key(at_third)}));
+}
+
+TEST_F(AgentTest, SaysOnlyWhatIsNewBetweenWholeStatuses) {
+  start();
+  settle();
+  const auto next_status = [&](bool whole) {
+    const Update update = tick_until(
+        [&](const Update& u) { return !u.statuses.empty() && u.statuses[0].whole == whole; });
+    return update.statuses.at(0);
+  };
+  EXPECT_EQ(next_status(true).view.size(), 3u);
+  hear(bid(claims(first, 2)));
+  const StatusMessage partial = next_status(false);
+  EXPECT_THAT(partial.view, Contains(Held{first, {life(first), false, 2}}));
+  EXPECT_THAT(partial.view, Not(Contains(::testing::Field(&Held::agent, third))));
+  EXPECT_THAT(partial.heartbeats, IsEmpty()) << "nobody began a new life";
+  hear(bid(claims(third, 2)));
+  const StatusMessage later = next_status(false);
+  EXPECT_THAT(later.view, Contains(Held{first, {life(first), false, 2}}))
+      << "the last status may be lost: what is new is said until the next whole one";
+  EXPECT_THAT(later.view, Contains(Held{third, {life(third), false, 2}}));
+}
+
+TEST_F(AgentTest, SaysAtOnceThatAMemberBeganANewLife) {
+  start();
+  settle();
+  StatusMessage heard = status(first);
+  heard.heartbeats[at_third].heartbeat = {life(third) + 9, 1};
+  hear(heard);
+  hear(bid(claims(first, 2)));
+  const Update update = tick_until([](const Update& u) { return !u.statuses.empty(); });
+  EXPECT_THAT(update.statuses[0].heartbeats, Contains(Pulse{third, {life(third) + 9, 1}}));
 }
 
 TEST_F(AgentTest, RepeatsItsBidToWhoeverLacksIt) {
   start();
   settle();
   StatusMessage message = status(third);
-  message.view[at_self] = {};
+  message.view[at_self].key = {};
   ASSERT_THAT(hear(message).bids, IsEmpty());
   const Update update = tick_until([](const Update& u) { return !u.bids.empty(); });
   ASSERT_EQ(update.bids.size(), 1u);
@@ -234,7 +271,7 @@ TEST_F(AgentTest, RelaysWhatAPeerLacksAfterSomePatience) {
   hear(bid(claims(first, 1)));
   settle();
   StatusMessage message = status(third);
-  message.view[at_first] = {};
+  message.view[at_first].key = {};
   ASSERT_THAT(hear(message).relays, IsEmpty());
   const Update update = tick_until([](const Update& u) { return !u.relays.empty(); });
   ASSERT_EQ(update.relays.size(), 1u);

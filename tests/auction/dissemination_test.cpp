@@ -24,9 +24,10 @@ class DisseminationTest : public ::testing::Test {
   /// `missing`.
   void confirms(std::size_t member, std::uint64_t sequence, std::vector<std::size_t> missing = {},
                 std::uint64_t life = 7) {
-    auto keys = view.keys();
-    for (const std::size_t m : missing) keys[m] = {};
-    dissemination.holds(member, {life, sequence}, keys);
+    std::vector<Dissemination::Holding> holdings;
+    for (std::size_t k = 0; k < 3; ++k) holdings.push_back({k, view.key(k)});
+    for (const std::size_t m : missing) holdings[m].key = {};
+    dissemination.holds(member, {life, sequence}, true, holdings);
   }
   std::vector<std::size_t> due(TimeNs now) { return dissemination.due(view, now); }
   bool lacking() const { return dissemination.anyone_lacks(view); }
@@ -106,10 +107,20 @@ TEST_F(DisseminationTest, DoesNotRelayToTheDead) {
 
 TEST_F(DisseminationTest, HasNothingForSomebodyWhoHoldsMore) {
   learn(second, first, 0);
-  auto keys = view.keys();
-  keys[second] = later;
-  dissemination.holds(third, {7, 1}, keys);
+  dissemination.holds(third, {7, 1}, true, {{second, later}});
   EXPECT_FALSE(lacking());
+}
+
+TEST_F(DisseminationTest, AddsWhatIsNewToWhatItKnowsOfAReader) {
+  learn(self, first, 0);
+  due(0);
+  learn(second, first, 0);
+  dissemination.holds(third, {7, 1}, true, {{self, first}});
+  EXPECT_TRUE(lacking());
+  dissemination.holds(third, {7, 2}, false, {{second, first}});
+  EXPECT_FALSE(lacking()) << "the rest is as it was";
+  dissemination.holds(third, {8, 1}, false, {{second, first}});
+  EXPECT_TRUE(lacking()) << "a new life holds only what it says";
 }
 
 TEST_F(DisseminationTest, RelaysATombstoneAtOnce) {
@@ -159,7 +170,7 @@ TEST(DisseminationSpread, LetsHoldersRelayAtDifferentMoments) {
     Dissemination dissemination(8, holder, {.resend_ns = 40, .patience_ns = 1'000'000});
     view.merge({{7}, {7, false, 1}, Claims{}});
     dissemination.learnt(6, 0);
-    dissemination.holds(7, {7, 1}, std::vector<StatementKey>(8));
+    dissemination.holds(7, {7, 1}, true, {});
     TimeNs now = 1'000'000;
     while (dissemination.due(view, now).empty() && now <= 2'000'000) now += 1000;
     EXPECT_LE(now, 2'000'000);

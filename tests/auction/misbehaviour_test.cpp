@@ -91,16 +91,19 @@ TEST_F(MisbehavingPeer, TakesThisAgentsId) {
 TEST_F(MisbehavingPeer, ReportsAViewOfTheWrongSize) {
   StatusMessage message = status(first);
   message.view.resize(2);
-  expect_refused(message, "a view of 2");
+  expect_refused(message, "a whole view of 2");
   message = status(first);
   message.view.clear();
   EXPECT_TRUE(hear(message).refused);
 }
 
-TEST_F(MisbehavingPeer, ReportsTheWrongNumberOfHeartbeats) {
+TEST_F(MisbehavingPeer, ReportsHeartbeatsOfStrangersOrTwice) {
   StatusMessage message = status(first);
-  message.heartbeats.resize(4);
-  expect_refused(message, "heartbeats of 4");
+  message.heartbeats.push_back({{4}, {1, 1}});
+  expect_refused(message, "agent 4, who is not of the fleet");
+  message = status(first);
+  message.heartbeats.push_back({third, {1, 1}});
+  expect_refused(message, "agent 3 after agent 3");
 }
 
 TEST_F(MisbehavingPeer, ReportsAStrangerReady) {
@@ -126,7 +129,7 @@ TEST_F(MisbehavingPeer, UsesUpTheLivesOfThisAgent) {
   const Update update = hear(RelayMessage{header(first), {self, last, Claims{}}});
   EXPECT_TRUE(update.refused || agent->view().key(at_self) > last);
   StatusMessage message = status(third);
-  message.view[at_self] = last;
+  message.view[at_self].key = last;
   EXPECT_TRUE(hear(message).refused || agent->view().key(at_self) > last);
 }
 

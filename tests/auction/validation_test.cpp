@@ -38,8 +38,8 @@ class Refusal : public ::testing::Test {
   StatusMessage status{.header = header,
                        .phase = Phase::auction,
                        .ready = {{2}, {5}},
-                       .view = std::vector<StatementKey>(3),
-                       .heartbeats = std::vector<Heartbeat>(3)};
+                       .view = {{{2}, {}}, {{3}, {}}, {{5}, {}}},
+                       .heartbeats = {{{2}, {}}, {{3}, {}}}};
 
   void expect_sound(const auto& message) const {
     EXPECT_EQ(refusal_of(message), std::nullopt) << *refusal_of(message);
@@ -103,7 +103,7 @@ TEST_F(Refusal, OfALifeAfterWhichThereIsNoOther) {
   claims.key.incarnation = std::numeric_limits<std::uint64_t>::max();
   expect_refused(claims, "life 18446744073709551615 is beyond");
   expect_refused(Statement{{5}, {last_incarnation + 1, true, 0}, Claims{}}, "is beyond");
-  status.view[1].incarnation = last_incarnation + 1;
+  status.view[1].key.incarnation = last_incarnation + 1;
   expect_refused(status, "is beyond");
 }
 
@@ -115,7 +115,7 @@ TEST_F(Refusal, OfAnOwnLifeThatLeavesNoneToAnswerWith) {
 
 TEST_F(Refusal, OfAHeartbeatOfALifeAfterWhichThereIsNoOther) {
   // Passed on, it would make all deaf to the member's own heartbeats.
-  status.heartbeats[1].incarnation = last_incarnation + 1;
+  status.heartbeats[1].heartbeat.incarnation = last_incarnation + 1;
   expect_refused(status, "is beyond");
 }
 
@@ -188,12 +188,19 @@ TEST_F(Refusal, OfATableWithAWinnerWhoIsNotOfTheFleet) {
 
 TEST_F(Refusal, OfAStatusWithAViewOfTheWrongSize) {
   status.view.pop_back();
-  expect_refused(status, "a view of 2");
+  expect_refused(status, "a whole view of 2");
+  status.whole = false;
+  expect_sound(status);
 }
 
-TEST_F(Refusal, OfAStatusWithTheWrongNumberOfHeartbeats) {
-  status.heartbeats.push_back({});
-  expect_refused(status, "heartbeats of 4");
+TEST_F(Refusal, OfAStatusThatSpeaksOfStrangersOrOfOneTwice) {
+  status.heartbeats.push_back({{4}, {}});
+  expect_refused(status, "it speaks of agent 4, who is not of the fleet");
+  status.heartbeats.back().agent = {3};
+  expect_refused(status, "it speaks of agent 3 after agent 3");
+  status.heartbeats.pop_back();
+  std::swap(status.view[0], status.view[1]);
+  expect_refused(status, "it speaks of agent 2 after agent 3");
 }
 
 TEST_F(Refusal, OfAStatusThatCallsAStrangerReady) {

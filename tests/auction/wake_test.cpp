@@ -50,9 +50,10 @@ std::string text(const StatusMessage& s) {
       text(s.header) + fmt::format("phase {} round {} peers {} hash {:x} ", int(s.phase), s.round,
                                    s.matched_peers, s.view_hash);
   for (const AgentId id : s.ready) out += fmt::format("r{} ", id.value);
-  for (const StatementKey& key : s.view) out += text(key);
-  for (const Heartbeat& beat : s.heartbeats)
-    out += fmt::format("{}*{} ", beat.incarnation, beat.counter);
+  out += s.whole ? "whole " : "new ";
+  for (const Held& held : s.view) out += fmt::format("{}:{}", held.agent.value, text(held.key));
+  for (const auto& [agent, beat] : s.heartbeats)
+    out += fmt::format("{}:{}*{} ", agent.value, beat.incarnation, beat.counter);
   return out;
 }
 

@@ -20,7 +20,7 @@ StatusMessage status(std::uint32_t agent, Phase phase, std::uint64_t hash,
   message.header = {{agent}, 1000, 5, 1, 1};
   message.phase = phase;
   message.view_hash = hash;
-  message.view = {{1000, false, 1}, {1000, second_is_dead, 1}};
+  message.view = {{{1}, {1000, false, 1}}, {{2}, {1000, second_is_dead, 1}}};
   return message;
 }
 

@@ -62,7 +62,7 @@ TEST(Convert, RoundTripOfEmptyAndAbsent) {
   expect_round_trip(BidMessage{samples::header(2), {AgentId{2}, {}, Claims{}}});
   expect_round_trip(BidMessage{samples::header(2), {AgentId{2}, {}, Table{}}});
   expect_round_trip(
-      StatusMessage{samples::header(1), Phase::waiting_for_mission, 0, 0, 0, {}, {}, {}});
+      StatusMessage{samples::header(1), Phase::waiting_for_mission, 0, 0, 0, {}, true, {}, {}});
   expect_round_trip(RouteMessage{samples::header(1), 0, 0, 0, {}});
   expect_round_trip(ControlMessage{});
 }
@@ -140,7 +140,7 @@ TEST(Convert, ValuesOutsideEnumerationsAreRefused) {
   EXPECT_THAT(refusal(mission), HasSubstr("arc.kind = 3"));
   mission = to_wire(samples::mission());
   mission.auction().policy(static_cast<wire::PolicyKind>(5));
-  EXPECT_THAT(refusal(mission), HasSubstr("auction.policy = 2"));
+  EXPECT_THAT(refusal(mission), HasSubstr("auction.policy = 5"));
   mission = to_wire(samples::mission());
   mission.auction().score(static_cast<wire::ScoreKind>(0xffffffff));
   EXPECT_THAT(refusal(mission), HasSubstr("auction.score = 4294967295"));

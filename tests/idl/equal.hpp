@@ -73,7 +73,7 @@ inline bool same(const RelayMessage& a, const RelayMessage& b) {
 inline bool same(const StatusMessage& a, const StatusMessage& b) {
   return same(a.header, b.header) && a.phase == b.phase && a.round == b.round &&
          a.matched_peers == b.matched_peers && a.view_hash == b.view_hash && a.ready == b.ready &&
-         a.view == b.view && a.heartbeats == b.heartbeats;
+         a.whole == b.whole && a.view == b.view && a.heartbeats == b.heartbeats;
 }
 inline bool same(const RouteLeg& a, const RouteLeg& b) {
   return a.arc == b.arc && same(a.from_m, b.from_m) && same(a.to_m, b.to_m) &&

@@ -40,8 +40,9 @@ inline StatusMessage status(std::uint32_t sender) {
           3,
           0xfeed,
           {AgentId{1}, AgentId{4}},
-          {{1, false, 2}, {3, true, 4}},
-          {{5, 6}, {7, 8}}};
+          false,
+          {{{1}, {1, false, 2}}, {{4}, {3, true, 4}}},
+          {{{1}, {5, 6}}, {{9}, {7, 8}}}};
 }
 
 inline RouteMessage route(std::uint32_t sender) {

@@ -124,9 +124,13 @@ json to_json(const StatusMessage& status) {
           {"matched_peers", status.matched_peers},
           {"view_hash", hex(status.view_hash)},
           {"ready", ids(status.ready)},
-          {"view", list(status.view, [](const StatementKey& k) { return to_json(k); })},
-          {"heartbeats", list(status.heartbeats, [](const Heartbeat& h) {
-             return json::array({hex(h.incarnation), h.counter});
+          {"whole", status.whole},
+          {"view", list(status.view,
+                        [](const Held& h) {
+                          return json::array({h.agent.value, to_json(h.key)});
+                        })},
+          {"heartbeats", list(status.heartbeats, [](const Pulse& p) {
+             return json::array({p.agent.value, hex(p.heartbeat.incarnation), p.heartbeat.counter});
            })}};
 }
 
