@@ -49,6 +49,7 @@ nlohmann::json to_json(const RoundsOutcome& outcome, const Evaluation& value, do
           {"messages", outcome.messages},
           {"sends", outcome.sends},
           {"bytes", outcome.bytes},
+          {"bytes_as_differences", outcome.difference_bytes},
           {"agreed", outcome.agreed},
           {"conflicts", value.conflicts},
           {"assigned", value.assigned},
@@ -66,8 +67,8 @@ void print_table(const RoundsOutcome& outcome, const Evaluation& value, double c
   line("agreed", outcome.agreed ? "yes" : "no");
   line("last change", fmt::format("round {}", outcome.last_change_round));
   if (outcome.proof_round > 0) line("proven", fmt::format("round {}", outcome.proof_round));
-  line("messages",
-       fmt::format("{} ({} sends, {} bytes)", outcome.messages, outcome.sends, outcome.bytes));
+  line("messages", fmt::format("{} ({} sends, {} bytes; {} as differences)", outcome.messages,
+                               outcome.sends, outcome.bytes, outcome.difference_bytes));
   line("assigned", fmt::format("{}, {} to more than one agent", value.assigned, value.conflicts));
   line("score", fmt::format("{:.6f}", value.score));
   line("length",

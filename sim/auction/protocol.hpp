@@ -13,6 +13,7 @@ namespace arcbid {
 /// What was sent in one round.
 struct Traffic {
   std::uint64_t messages = 0, sends = 0, bytes = 0;
+  std::uint64_t difference_bytes = 0;  ///< the same where links lose nothing: only what is new
 };
 
 /// How one family of policies behaves in synchronous rounds.
@@ -46,6 +47,7 @@ std::vector<TaskId> tasks_of(const std::vector<PathStop>& path);
 
 /// Sizes of what travels, without padding, as fixed by the figures that others are compared with.
 inline constexpr std::uint64_t message_bytes = 16, statement_bytes = 12, claim_bytes = 10,
-                               timestamp_bytes = 4, timed_belief_bytes = 14, hash_bytes = 8;
+                               timestamp_bytes = 4, changed_belief_bytes = 12,
+                               timed_belief_bytes = 14, hash_bytes = 8;
 
 }  // namespace arcbid

@@ -95,6 +95,7 @@ RoundsOutcome run_rounds(const Instance& instance, const AuctionSettings& settin
   outcome.messages = until_change.messages;
   outcome.sends = until_change.sends;
   outcome.bytes = until_change.bytes;
+  outcome.difference_bytes = until_change.difference_bytes;
   return outcome;
 }
 

@@ -25,7 +25,8 @@ struct RoundsOutcome {
   bool agreed = false;                     ///< all believe the same winners and bids
   std::uint64_t messages = 0;  ///< sender to neighbour, until the last change (or proof)
   std::uint64_t sends = 0;     ///< the same, one send reaching all neighbours
-  std::uint64_t bytes = 0;     ///< of these sends
+  std::uint64_t bytes = 0;     ///< of these sends: whole tables or statements, and what is held
+  std::uint64_t difference_bytes = 0;  ///< of the same where links lose nothing: only what is new
 };
 
 /// Rounds after which a run that will not rest is cut off: thrice the bound N_min D that holds

@@ -61,6 +61,7 @@ class AcbbaRounds final : public RoundsProtocol {
     traffic.messages += world_.neighbours[i].size();
     traffic.sends += 1;
     traffic.bytes += message_bytes + timed_belief_bytes * beliefs;
+    traffic.difference_bytes = traffic.bytes;  // it says nothing else anyway
   }
 
   bool hear(std::size_t i, std::size_t k, const Said& said) {

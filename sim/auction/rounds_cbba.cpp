@@ -24,6 +24,9 @@ class CbbaRounds final : public RoundsProtocol {
     bool changed = false;
     for (std::size_t i = 0; i < agents_.size(); ++i) {
       changed |= agents_[i].bid();
+      const std::size_t news = changes(said_[i].beliefs, agents_[i].table().beliefs);
+      traffic.difference_bytes +=
+          message_bytes + changed_belief_bytes * news + timestamp_bytes * agents_.size();
       said_[i] = agents_[i].table();
     }
     for (std::size_t i = 0; i < agents_.size(); ++i) {
@@ -51,6 +54,14 @@ class CbbaRounds final : public RoundsProtocol {
   }
 
  private:
+  static std::size_t changes(const std::vector<Belief>& before, const std::vector<Belief>& now) {
+    if (before.empty())
+      return now.size() - static_cast<std::size_t>(std::count(now.begin(), now.end(), Belief{}));
+    std::size_t changed = 0;
+    for (std::size_t j = 0; j < now.size(); ++j) changed += now[j] != before[j];
+    return changed;
+  }
+
   const RoundsWorld& world_;
   std::vector<CbbaState> agents_;
   std::vector<Table> said_;

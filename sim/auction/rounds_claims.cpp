@@ -108,7 +108,8 @@ class ClaimsRounds final : public RoundsProtocol {
   Message speak(std::size_t i, Traffic& traffic) {
     Member& agent = agents_[i];
     Message message{{}, agent.hash, agent.readiness.set(), false};
-    std::uint64_t bytes = message_bytes + hash_bytes + agents_.size() / 8;
+    const std::uint64_t frame = message_bytes + hash_bytes + agents_.size() / 8;
+    std::uint64_t bytes = frame, difference_bytes = frame;
     for (std::size_t author = 0; author < agents_.size(); ++author) {
       const bool news = agent.news[author];
       agent.news[author] = false;
@@ -116,16 +117,19 @@ class ClaimsRounds final : public RoundsProtocol {
       const Statement& statement = agent.view.of(author);
       std::vector<Claim>& said = agent.said[author];
       const Difference what = difference(said, std::get<Claims>(statement.body).bundle);
-      bytes += statement_bytes + what.bytes();
+      difference_bytes += statement_bytes + what.bytes();
       said = restored(what, said);  // as every neighbour does
+      bytes += statement_bytes + claim_bytes * said.size();
       message.statements.push_back({statement.agent, statement.key, Claims{said}});
     }
+    if (!message.statements.empty()) bytes += timestamp_bytes * agents_.size();
     message.silent = message.statements.empty() && !agent.ready_grew;
     agent.ready_grew = false;
     if (message.silent) return message;
     traffic.messages += world_.neighbours[i].size();
     traffic.sends += 1;
     traffic.bytes += bytes;
+    traffic.difference_bytes += difference_bytes;
     return message;
   }
 
