@@ -12,6 +12,7 @@
 #include "core/io/run/event_json.hpp"
 #include "core/io/run/run_files.hpp"
 #include "core/route/route.hpp"
+#include "idl/wire_size.hpp"
 
 namespace arcbid {
 namespace {
@@ -57,12 +58,12 @@ AgentProcess::AgentProcess(AgentOptions options)
 
 Exit AgentProcess::run() {
   while (!done_ && !stop_requested()) {
-    const TimeNs wait = std::clamp<TimeNs>(wake_ns_ - now_ns(), 0, longest_wait_ns);
-    for (const Received& received : bus_.wait(std::chrono::nanoseconds(wait)))
+    for (const Received& received : bus_.wait(std::chrono::nanoseconds(wait_ns())))
       std::visit([this](const auto& message) { handle(message); }, received);
-    if (now_ns() >= wake_ns_) {
+    hear_what_is_due();
+    if (clock_ns() >= wake_ns_) {
       if (agent_)
-        step({now_ns(), Tick{bus_.matched_agents()}});
+        step({clock_ns(), Tick{bus_.matched_agents()}});
       else
         ask_for_mission();
     }
@@ -75,13 +76,29 @@ Exit AgentProcess::run() {
   return done_.value_or(Exit::done);
 }
 
+TimeNs AgentProcess::clock_ns() const {
+  return options_.faults ? clock_of(*options_.faults, options_.id, now_ns()) : now_ns();
+}
+
+TimeNs AgentProcess::wait_ns() const {
+  TimeNs wait = wake_ns_ - clock_ns();
+  if (links_ && links_->next_ns()) wait = std::min(wait, *links_->next_ns() - now_ns());
+  return std::clamp<TimeNs>(wait, 0, longest_wait_ns);
+}
+
+void AgentProcess::hear_what_is_due() {
+  if (!links_) return;
+  for (const AgentMessage& message : links_->due(now_ns()))
+    std::visit([this](const auto& m) { step({clock_ns(), m}); }, message);
+}
+
 /// Until the mission is here, status messages say so, and the coordinator sends it again.
 void AgentProcess::ask_for_mission() {
   StatusMessage status;
   status.header = {options_.id, incarnation_, ++sequence_, 0, 0};
   status.matched_peers = bus_.matched_agents();
   bus_.publish(status);
-  wake_ns_ = now_ns() + ask_interval_ns;
+  wake_ns_ = clock_ns() + ask_interval_ns;
 }
 
 void AgentProcess::handle(const Mission& mission) {
@@ -100,12 +117,13 @@ void AgentProcess::handle(const Mission& mission) {
   mission_ = std::make_shared<const Mission>(mission);
   mission_digest_ = digest(mission);
   transit_ = std::make_shared<const StraightTransit>();
-  agent_ = std::make_unique<Agent>(options_.id, incarnation_, mission_, transit_, now_ns());
+  agent_ = std::make_unique<Agent>(options_.id, incarnation_, mission_, transit_, clock_ns());
+  if (options_.faults) links_.emplace(*options_.faults, mission_->fleet, options_.id);
   log("mission", to_json(mission));
   report_("mission", {{"arcs", mission.arcs.size()}, {"tasks", agent_->tasks().tasks.size()}});
   for (const std::string& warning : agent_->tasks().warnings)
     report_("warning", {{"text", warning}});
-  step({now_ns(), Tick{bus_.matched_agents()}});
+  step({clock_ns(), Tick{bus_.matched_agents()}});
 }
 
 void AgentProcess::handle(const ControlMessage& control) {
@@ -122,7 +140,12 @@ void AgentProcess::handle(const Malformed& malformed) {
 
 template <class Message>
 void AgentProcess::handle(const Message& message) {
-  if (agent_) step({now_ns(), message});
+  if (links_) {
+    if (!links_->arrived(message, wire_size(message), now_ns()))
+      log("lost", {{"sender", message.header.sender.value}, {"sequence", message.header.sequence}});
+  } else if (agent_) {
+    step({clock_ns(), message});
+  }
 }
 
 void AgentProcess::refuse(const std::string& reason) {
@@ -148,6 +171,7 @@ void AgentProcess::step(Event event) {
   log(kind(event), body);
   Update update = agent_->step(event);
   carry_out(update);
+  if (update.decision || !update.died.empty()) winners_ = agent_->winners();
 }
 
 void AgentProcess::carry_out(Update& update) {
@@ -178,7 +202,10 @@ void AgentProcess::report(const Update& update) {
     report_(event, fields);
   };
   if (update.started) say("started", json::object());
-  if (!update.died.empty()) say("died", {{"agents", count(update.died)}});
+  if (!update.died.empty()) {
+    say("died", {{"agents", count(update.died)}});
+    release(update.died);
+  }
   if (!update.returned.empty()) say("returned", {{"agents", count(update.returned)}});
   if (update.agreement_lost) say("reopened", json::object());
   if (update.decision && update.decision->changed)
@@ -188,6 +215,18 @@ void AgentProcess::report(const Update& update) {
                        {"round", update.agreed->round},
                        {"time_s", seconds(now_ns())},
                        {"members", count(update.agreed->members)}});
+}
+
+/// The dead win nothing any more: what they had won last is free again, and said to be so.
+void AgentProcess::release(const std::vector<AgentId>& dead) {
+  for (const AgentId agent : dead) {
+    json tasks = json::array();
+    for (std::uint32_t j = 0; j < winners_.size(); ++j)
+      if (winners_[j].winner == agent) tasks.push_back(j);
+    const json fields{{"agent", agent.value}, {"tasks", tasks}};
+    log("released", fields);
+    report_("released", fields);
+  }
 }
 
 void AgentProcess::start_planning() {
@@ -238,7 +277,7 @@ void AgentProcess::publish(const Agreement& agreement, const Route& route) {
   bus_.publish(message);
   report_("routed",
           {{"view_hash", hex(agreement.view_hash)}, {"members", count(agreement.members)}});
-  step({now_ns(), RoutePublished{agreement.view_hash}});
+  step({clock_ns(), RoutePublished{agreement.view_hash}});
 }
 
 void AgentProcess::report_traffic(bool last) {
@@ -251,6 +290,21 @@ void AgentProcess::report_traffic(bool last) {
                     {"bytes", traffic.bytes_sent}};
   if (last) log("traffic", fields);
   report_("traffic", fields);
+  report_links(last);
+}
+
+void AgentProcess::report_links(bool last) {
+  if (!links_) return;
+  json from = json::array();
+  for (const auto& [sender, c] : links_->counters())
+    from.push_back({{"from", sender.value},
+                    {"sent", c.sent},
+                    {"dropped", c.dropped},
+                    {"delayed", c.delayed},
+                    {"duplicated", c.duplicated},
+                    {"bytes", c.bytes}});
+  if (last) log("links", from);
+  report_("links", {{"links", from}});
 }
 
 }  // namespace arcbid

@@ -6,7 +6,9 @@
 #include <memory>
 #include <optional>
 
+#include "agent/faulty_links.hpp"
 #include "core/auction/agent.hpp"
+#include "core/faults/schedule.hpp"
 #include "core/io/config.hpp"
 #include "core/io/process/process.hpp"
 #include "core/io/run/run_log.hpp"
@@ -21,6 +23,7 @@ struct AgentOptions {
   std::uint32_t domain = 0;
   std::uint32_t fleet_size = 4;              ///< until the mission says it
   std::optional<std::filesystem::path> run;  ///< run directory; none: no files are written
+  std::optional<FaultSchedule> faults;       ///< what goes wrong on the way to this agent
   TimeNs epoch_ns = 0;                       ///< launch, on the monotonic clock
   bool json_events = false;
 };
@@ -43,6 +46,12 @@ class AgentProcess {
   void handle(const Message& message);
 
   void step(Event event);
+  void hear_what_is_due();
+  void report_links(bool last);
+  void release(const std::vector<AgentId>& dead);
+  /// What this agent's own clock shows: the auction knows no other.
+  TimeNs clock_ns() const;
+  TimeNs wait_ns() const;
   void carry_out(Update& update);
   void report(const Update& update);
   void start_planning();
@@ -61,8 +70,10 @@ class AgentProcess {
   Bus bus_;
   std::shared_ptr<const Mission> mission_;
   std::shared_ptr<const Transit> transit_;
-  std::unique_ptr<Agent> agent_;  // once the mission is known
+  std::unique_ptr<Agent> agent_;      // once the mission is known
+  std::optional<FaultyLinks> links_;  // likewise, when there are faults
   std::uint64_t mission_digest_ = 0;
+  std::vector<Belief> winners_;  // as of the last decision: what the dead had won
   // A tour may take longer than a lease: it is planned beside the loop, which goes on saying that
   // this agent lives.
   std::optional<Agreement> to_plan_;  // the newest agreement, until its route is published

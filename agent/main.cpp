@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "agent/agent_process.hpp"
+#include "core/io/faults/fault_files.hpp"
 #include "core/io/process/command_line.hpp"
 
 int main(int argc, char** argv) {
@@ -15,7 +16,7 @@ int main(int argc, char** argv) {
       "start one on each, all with the same CONFIG.",
       "arcbid-agent"};
   app.set_version_flag("--version", ARCBID_VERSION);
-  std::string config_file, run;
+  std::string config_file, run, faults;
   std::uint32_t id = 0;
   std::optional<std::uint32_t> domain;
   AgentOptions options;
@@ -28,6 +29,8 @@ int main(int argc, char** argv) {
   app.add_option("--domain", domain, "DDS domain id (default: the config's)")
       ->check(CLI::Range(0, 232));
   app.add_option("--run", run, "run directory for route and event log (default: none is written)");
+  app.add_option("--faults", faults,
+                 "fault file or preset (docs/FAULTS.md): what goes wrong on the way to this agent");
   app.add_option("--epoch-ns", options.epoch_ns,
                  "launch time on the monotonic clock (default: now)");
   app.add_flag("--json-events", options.json_events, "report one JSON object a line");
@@ -47,6 +50,7 @@ int main(int argc, char** argv) {
     options.domain = domain_of(domain, config);
     options.fleet_size = fleet_size(config);
     if (!run.empty()) options.run = run;
+    if (!faults.empty()) options.faults = load_faults(faults, fleet);
     if (options.epoch_ns == 0) options.epoch_ns = monotonic_ns();
     return AgentProcess(std::move(options)).run();
   });

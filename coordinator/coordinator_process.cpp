@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <fstream>
 #include <utility>
 
 #include "core/base/digest.hpp"
@@ -49,7 +50,8 @@ Exit CoordinatorProcess::run() {
     publish_again_if_wanted();
     warn_if_alone();
     if (log_) log_->commit_if_due(now_ns());
-    if (const auto hash = progress_->complete(now_ns())) {
+    const auto hash = progress_->complete(now_ns());
+    if (hash && now_ns() >= options_.not_before_ns) {
       report_("complete", {{"view_hash", hex(*hash)}});
       end_mission(Command::complete, "every living agent has published its route");
       return Exit::done;
@@ -64,9 +66,24 @@ Exit CoordinatorProcess::run() {
   return Exit::done;
 }
 
+/// A coordinator that comes back publishes the mission of its last life: the plan follows from the
+/// config and the id, bit for bit.
+std::uint64_t CoordinatorProcess::mission_id() const {
+  const auto fresh = Digest().add(birth_stamp_ms()).add(std::uint64_t(getpid())).value();
+  if (!options_.run) return fresh;
+  const auto file = *options_.run / "mission_id";
+  if (std::ifstream in(file); in) {
+    std::uint64_t id = 0;
+    if (!(in >> std::hex >> id))
+      throw InputError(fmt::format("{}: is not a mission's id in hexadecimal", file.string()));
+    return id;
+  }
+  write_whole(file, hex(fresh) + "\n");
+  return fresh;
+}
+
 void CoordinatorProcess::publish_mission() {
-  const auto id = Digest().add(birth_stamp_ms()).add(std::uint64_t(getpid())).value();
-  MissionPlan plan = plan_mission(options_.config, id);
+  MissionPlan plan = plan_mission(options_.config, mission_id());
   mission_ = std::move(plan.mission);
   mission_digest_ = digest(mission_);
   progress_.emplace(mission_);

@@ -17,6 +17,7 @@ struct CoordinatorOptions {
   std::uint32_t domain = 0;
   std::optional<std::filesystem::path> run;  ///< run directory; none: no files are written
   TimeNs epoch_ns = 0;                       ///< launch, on the monotonic clock
+  TimeNs not_before_ns = 0;                  ///< no mission is complete before this, since launch
   bool json_events = false;
 };
 
@@ -35,6 +36,7 @@ class CoordinatorProcess {
   template <class Message>
   void handle(const Message&) {}  // the auction itself is the agents' business
 
+  std::uint64_t mission_id() const;
   void publish_mission();
   void publish_again_if_wanted();
   void warn_if_alone();

@@ -21,6 +21,8 @@ int main(int argc, char** argv) {
   app.add_option("--run", run, "run directory for arcs and event log (default: none is written)");
   app.add_option("--epoch-ns", options.epoch_ns,
                  "launch time on the monotonic clock (default: now)");
+  app.add_option("--not-before-ns", options.not_before_ns,
+                 "no mission is complete before this, since launch: faults are still to come");
   app.add_flag("--json-events", options.json_events, "report one JSON object a line");
   app.add_option("--parent", parent, "end when this process, the one that started it, ends");
   return run_command_line(app, argc, argv, [&] {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <ctime>
 
+#include "core/io/faults/fault_files.hpp"
 #include "core/io/process/command_line.hpp"
 #include "sim/auction/command.hpp"
 #include "sim/checker/checker.hpp"
@@ -12,7 +13,7 @@ namespace {
 using namespace arcbid;
 
 struct RunArguments {
-  std::string config, structure, unit, up, out;
+  std::string config, structure, unit, up, out, faults;
   std::optional<std::uint32_t> agents;
   bool print_config = false;
 };
@@ -56,7 +57,9 @@ Exit run(const RunArguments& arguments) {
   const std::filesystem::path out =
       arguments.out.empty() ? new_run_directory(config.name) : std::filesystem::path(arguments.out);
   const auto self = std::filesystem::read_symlink("/proc/self/exe");
-  return launch({config, std::filesystem::absolute(out), self.parent_path()});
+  std::optional<FaultSchedule> faults;
+  if (!arguments.faults.empty()) faults = load_faults(arguments.faults, fleet_ids(config));
+  return launch({config, std::filesystem::absolute(out), faults, self.parent_path()});
 }
 
 Exit check_again(const std::string& directory) {
@@ -85,6 +88,8 @@ CLI::App* add_run(CLI::App& app, RunArguments& arguments) {
   run->add_option("--up", arguments.up, "axis that points up in that file: x, y, z")
       ->check(CLI::IsMember({"x", "y", "z"}));
   run->add_option("--out", arguments.out, "run directory (default: a new one under runs/)");
+  run->add_option("--faults", arguments.faults,
+                  "what goes wrong: a fault file, or a preset such as lossy_30 (docs/FAULTS.md)");
   run->add_flag("--print-config", arguments.print_config,
                 "print the config as it would run, and stop");
   return run;

@@ -8,15 +8,18 @@
 #include <algorithm>
 #include <csignal>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "core/io/domain/domain.hpp"
+#include "core/io/faults/fault_files.hpp"
 #include "core/io/process/process.hpp"
 #include "core/io/run/run_files.hpp"
 #include "sim/checker/checker.hpp"
 #include "sim/launcher/child.hpp"
 #include "sim/launcher/console.hpp"
+#include "sim/launcher/fault_script.hpp"
 #include "sim/launcher/monitor.hpp"
 #include "sim/launcher/result.hpp"
 
@@ -40,19 +43,21 @@ class Run {
       : options_(options),
         fleet_(fleet_ids(options.config)),
         epoch_ns_(monotonic_ns()),
-        monitor_(fleet_) {
+        monitor_(fleet_),
+        script_(options_.faults.value_or(FaultSchedule{})) {
     if (!options_.config.network.domain) lease_.emplace(fleet_size(options_.config));
   }
 
   Exit operator()() {
     write_whole(options_.out / "config.yaml", to_yaml(options_.config));
-    children_.reserve(fleet_.size() + 1);
-    start("coordinator", "arcbid-coordinator", {});
+    if (options_.faults) write_whole(faults_file(), to_yaml(*options_.faults));
+    start_coordinator();
     // Whatever is wrong with the input or the network, one process says it, not all.
-    while (children_.front().running() && !coordinator_up_ && !stop_requested()) hear_and_reap();
-    if (children_.front().running()) start_agents();
-    while (anybody_runs()) {
+    while (coordinator().running() && !coordinator_up_ && !stop_requested()) hear_and_reap();
+    if (coordinator().running()) start_agents();
+    while (anybody_runs() || somebody_returns()) {
       hear_and_reap();
+      act_faults();
       console_.progress(now_s(), monitor_);
       tell_coordinator_loss();
       consider_stopping();
@@ -63,18 +68,31 @@ class Run {
 
  private:
   double now_s() const { return static_cast<double>(monotonic_ns() - epoch_ns_) * 1e-9; }
-  Child& coordinator() { return children_.front(); }
-  std::uint32_t id_of(std::size_t child) const { return child == 0 ? 0 : fleet_[child - 1].value; }
+  std::filesystem::path faults_file() const { return options_.out / "faults.yaml"; }
+  /// The newest process of an agent, or of the coordinator (0); twins aside.
+  Child* process_of(AgentId agent) {
+    for (std::size_t c = children_.size(); c-- > 0;)
+      if (ids_[c] == agent && !twins_.contains(c)) return &children_[c];
+    return nullptr;
+  }
+  Child& coordinator() { return *process_of({0}); }
+  bool somebody_returns() const {
+    return !stopping_since_s_ && std::any_of(fleet_.begin(), fleet_.end(), [this](AgentId agent) {
+      return script_.returns(agent);
+    });
+  }
   bool anybody_runs() const {
     return std::any_of(children_.begin(), children_.end(),
                        [](const Child& child) { return child.running(); });
   }
   bool an_agent_runs() const {
-    return std::any_of(children_.begin() + 1, children_.end(),
-                       [](const Child& child) { return child.running(); });
+    for (std::size_t c = 0; c < children_.size(); ++c)
+      if (ids_[c] != AgentId{0} && children_[c].running()) return true;
+    return somebody_returns();
   }
 
-  void start(const std::string& name, const std::string& program, std::vector<std::string> words) {
+  void start(AgentId id, const std::string& name, const std::string& program,
+             std::vector<std::string> words) {
     const std::uint32_t domain =
         lease_ ? lease_->domain() : options_.config.network.domain.value_or(0);
     std::vector<std::string> command{(options_.programs / program).string(),
@@ -90,25 +108,89 @@ class Run {
                                      "--json-events"};
     command.insert(command.end(), words.begin(), words.end());
     children_.emplace_back(name, command);
+    ids_.push_back(id);
+  }
+
+  void start_coordinator() {
+    const TimeNs over_ns = script_.over_ns(options_.config.auction.lease_ns);
+    start({0}, "coordinator", "arcbid-coordinator", {"--not-before-ns", std::to_string(over_ns)});
+  }
+
+  void start_agent(AgentId agent, const std::string& name) {
+    std::vector<std::string> words{"--id", std::to_string(agent.value)};
+    if (options_.faults) words.insert(words.end(), {"--faults", faults_file().string()});
+    start(agent, name, "arcbid-agent", words);
   }
 
   void start_agents() {
     for (const AgentId agent : fleet_)
-      start(fmt::format("agent {}", agent.value), "arcbid-agent",
-            {"--id", std::to_string(agent.value)});
+      if (!script_.comes_late(agent)) start_agent(agent, fmt::format("agent {}", agent.value));
+    write_processes();
+  }
+
+  void write_processes() const {
     nlohmann::json processes = nlohmann::json::array();
     for (const Child& child : children_)
       processes.push_back({{"name", child.name()}, {"pid", child.pid()}});
     write_whole(options_.out / "processes.json", processes.dump(1));
   }
 
+  /// What the fault schedule says is to be done to processes by now.
+  void act_faults() {
+    ProcessFault fault;
+    while (!stopping_since_s_ && script_.next(monotonic_ns() - epoch_ns_, fault)) {
+      console_.line(now_s(), "fault: " + in_words(fault));
+      acted_.push_back({{"time_s", now_s()}, {"fault", in_words(fault)}});
+      act(fault);
+    }
+  }
+
+  void act(const ProcessFault& fault) {
+    const std::string name = fmt::format("agent {}", fault.agent.value);
+    switch (fault.action) {
+      case ProcessAction::kill:
+        return signal(process_of(fault.agent), SIGKILL);
+      case ProcessAction::pause:
+        return signal(process_of(fault.agent), SIGSTOP);
+      case ProcessAction::resume:
+        return signal(process_of(fault.agent), SIGCONT);
+      case ProcessAction::start:
+        if (fault.agent == AgentId{0}) return start_coordinator();
+        monitor_.starts(fault.agent.value);
+        start_agent(fault.agent, name);
+        return write_processes();
+      case ProcessAction::start_twin:
+        twins_.insert(children_.size());
+        return start_agent(fault.agent, name + ", second");
+      case ProcessAction::kill_twin:
+        for (const std::size_t twin : twins_)
+          if (ids_[twin] == fault.agent) signal(&children_[twin], SIGKILL);
+        return;
+    }
+  }
+
+  static void signal(const Child* child, int number) {
+    if (child != nullptr && child->running()) child->signal(number);
+  }
+
   void hear(std::size_t c) {
     for (const std::string& line : children_[c].read_lines()) {
       const auto event = nlohmann::json::parse(line, nullptr, false);
       if (!event.is_object()) continue;  // half a line of a process that was killed
-      if (c == 0) coordinator_up_ = true;
-      monitor_.heard(id_of(c), event);
+      if (ids_[c] == AgentId{0}) coordinator_up_ = true;
+      if (twins_.contains(c)) continue;  // what it says of itself is not said of the agent
+      monitor_.heard(ids_[c].value, event);
+      if (event.value("event", "") == "released") tell_release(event);
     }
+  }
+
+  /// Says once whose tasks are free again.
+  void tell_release(const nlohmann::json& event) {
+    const std::uint32_t agent = event.at("agent");
+    const std::size_t tasks = event.at("tasks").size();
+    if (!released_.insert(agent).second) return;
+    console_.line(now_s(),
+                  fmt::format("agent {} counts as dead: its {} tasks are free", agent, tasks));
   }
 
   void hear_and_reap() {
@@ -121,26 +203,38 @@ class Run {
       children_[c].poll();
       hear(c);  // after poll(): nothing that it said before it ended is missed
       if (!ran || children_[c].running()) continue;
-      monitor_.ended(id_of(c));
-      if (c == 0)
+      if (twins_.contains(c)) {
+        tell_twin_end(children_[c]);
+        continue;
+      }
+      monitor_.ended(ids_[c].value);
+      if (ids_[c] == AgentId{0})
         coordinator_ended_s_ = now_s();
       else
-        tell_agent_loss(children_[c]);
+        tell_agent_loss(children_[c], ids_[c]);
     }
   }
 
   /// Says what the end of an agent costs.
-  void tell_agent_loss(const Child& agent) {
+  void tell_agent_loss(const Child& agent, AgentId id) {
     if (stopping_since_s_ || monitor_.given_up() || agent.exit_code() == 0) return;
+    released_.erase(id.value);  // its next death is another one
     console_.line(now_s(), fmt::format("{} {}: {}", agent.name(), how_it_ended(agent),
-                                       an_agent_runs() ? "the others take over its arcs"
-                                                       : "no agent is left"));
+                                       script_.returns(id) ? "it will be back"
+                                       : an_agent_runs()   ? "the others take over its arcs"
+                                                           : "no agent is left"));
+  }
+
+  void tell_twin_end(const Child& twin) {
+    if (!stopping_since_s_)
+      console_.line(now_s(), fmt::format("{}, {}", twin.name(), how_it_ended(twin)));
   }
 
   /// Says what the end of the coordinator costs, once it is clear who has the mission.
   void tell_coordinator_loss() {
     const bool settled = !anybody_runs() || now_s() - coordinator_ended_s_ > kSettleS;
     if (coordinator().running() || coordinator_loss_told_ || !settled) return;
+    if (!stopping_since_s_ && script_.returns({0})) return;
     coordinator_loss_told_ = true;
     if (monitor_.complete() || stopping_since_s_) return;
     if (coordinator().exit_code() == static_cast<int>(Exit::bad_input)) return stop("");
@@ -174,7 +268,8 @@ class Run {
       stop("given up: not done in time, and the coordinator did not say so");
     } else if (!an_agent_runs() && !monitor_.outcome() && !monitor_.given_up()) {
       stop("no agent is left: the mission cannot be done");
-    } else if (coordinator_loss_told_ && (monitor_.complete() || monitor_.outcome())) {
+    } else if (coordinator_loss_told_ && (monitor_.complete() || monitor_.outcome()) &&
+               monotonic_ns() - epoch_ns_ >= script_.over_ns(options_.config.auction.lease_ns)) {
       stop("");  // without a coordinator nobody else tells the agents that all is done
     }
     if (stopping_since_s_ && now_s() - *stopping_since_s_ > kFarewellS)
@@ -185,7 +280,10 @@ class Run {
     if (stopping_since_s_) return;
     stopping_since_s_ = now_s();
     if (!why.empty()) console_.line(now_s(), why);
-    for (const Child& child : children_) child.signal(SIGTERM);
+    for (const Child& child : children_) {
+      child.signal(SIGTERM);
+      child.signal(SIGCONT);  // one that is paused could not obey
+    }
   }
 
   /// Routes of agents that were not part of the final agreement are no longer valid.
@@ -206,7 +304,8 @@ class Run {
     for (const Child& child : children_)
       ends.push_back({child.name(), child.pid(), child.exit_code(), child.ended_by_signal()});
     const CheckReport report = check_run(options_.out);
-    const auto result = result_json(report, monitor_, ends, now_s());
+    auto result = result_json(report, monitor_, ends, now_s());
+    if (options_.faults) result["faults"] = acted_;
     write_whole(options_.out / "result.json", result.dump(2) + "\n");
     console_.line(now_s(), "every process has ended; result checked");
     if (outcome)
@@ -224,8 +323,13 @@ class Run {
   const TimeNs epoch_ns_;
   std::optional<DomainLease> lease_;
   Monitor monitor_;
+  FaultScript script_;
   Console console_;
-  std::vector<Child> children_;  // the coordinator, then the agents as in fleet_
+  std::vector<Child> children_;  // in the order in which they were started
+  std::vector<AgentId> ids_;     // whose process each is; 0: the coordinator's
+  std::set<std::size_t> twins_;  // those that are second with their id
+  std::set<std::uint32_t> released_;
+  nlohmann::json acted_ = nlohmann::json::array();  // faults done to processes
   bool coordinator_up_ = false, coordinator_loss_told_ = false, interrupted_ = false;
   double coordinator_ended_s_ = 0;
   std::optional<double> stopping_since_s_;

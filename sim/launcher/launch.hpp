@@ -2,15 +2,18 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "core/base/error.hpp"
+#include "core/faults/schedule.hpp"
 #include "core/io/config.hpp"
 
 namespace arcbid {
 
 struct LaunchOptions {
   Config config;
-  std::filesystem::path out;       ///< run directory; made if absent, must be empty
+  std::filesystem::path out;  ///< run directory; made if absent, must be empty
+  std::optional<FaultSchedule> faults;
   std::filesystem::path programs;  ///< where arcbid-agent and arcbid-coordinator are
 };
 

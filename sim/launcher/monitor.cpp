@@ -17,6 +17,12 @@ void Monitor::heard(std::uint32_t id, const json& event) {
     traffic_[id] = {event.at("sent"), event.at("received"), event.at("dropped"), event.at("bytes")};
     return;
   }
+  if (kind == "links") {
+    for (const json& link : event.at("links"))
+      links_[{link.at("from"), id}] = {link.at("sent"), link.at("dropped"), link.at("delayed"),
+                                       link.at("duplicated")};
+    return;
+  }
   if (kind == "warning") {
     const std::string text = event.at("text");
     if (std::find(warnings_.begin(), warnings_.end(), text) == warnings_.end())
@@ -57,6 +63,32 @@ void Monitor::heard(std::uint32_t id, const json& event) {
     agent.routed_hash = event.at("view_hash");
     agent.members = event.at("members").get<std::set<std::uint32_t>>();
   }
+}
+
+LinkTraffic& LinkTraffic::operator+=(const LinkTraffic& more) {
+  sent += more.sent;
+  dropped += more.dropped;
+  delayed += more.delayed;
+  duplicated += more.duplicated;
+  return *this;
+}
+
+void Monitor::starts(std::uint32_t id) {
+  agents_.at(id) = {};
+  for (auto link = links_.begin(); link != links_.end();) {
+    if (link->first.second == id) {
+      earlier_lives_[link->first] += link->second;
+      link = links_.erase(link);
+    } else {
+      ++link;
+    }
+  }
+}
+
+std::map<std::pair<std::uint32_t, std::uint32_t>, LinkTraffic> Monitor::links() const {
+  Links all = earlier_lives_;
+  for (const auto& [link, traffic] : links_) all[link] += traffic;
+  return all;
 }
 
 void Monitor::ended(std::uint32_t id) {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/ids.hpp"
@@ -24,6 +25,12 @@ struct AgentProgress {
   bool gone = false;  ///< its process has ended, or the others declared it dead
 };
 
+/// What a fault schedule did on one directed link.
+struct LinkTraffic {
+  std::uint64_t sent = 0, dropped = 0, delayed = 0, duplicated = 0;
+  LinkTraffic& operator+=(const LinkTraffic& more);
+};
+
 struct Traffic {
   std::uint64_t sent = 0, received = 0, dropped = 0, bytes = 0;
 };
@@ -36,6 +43,8 @@ class Monitor {
   /// An event of agent `id` (0: the coordinator). Unknown events are ignored.
   void heard(std::uint32_t id, const nlohmann::json& event);
   void ended(std::uint32_t id);
+  /// A process of agent `id` is started, perhaps not the first.
+  void starts(std::uint32_t id);
 
   /// The agreement under which every living member has published its route, and its members.
   struct Outcome {
@@ -48,6 +57,8 @@ class Monitor {
 
   const std::map<std::uint32_t, AgentProgress>& agents() const { return agents_; }
   Traffic traffic() const;
+  /// By sender and receiver; empty when there are no faults.
+  std::map<std::pair<std::uint32_t, std::uint32_t>, LinkTraffic> links() const;
   std::optional<std::size_t> arcs() const { return arcs_; }  ///< once published
   double metres() const { return metres_; }
   std::size_t tasks() const { return tasks_; }
@@ -59,7 +70,9 @@ class Monitor {
 
  private:
   std::map<std::uint32_t, AgentProgress> agents_;
+  using Links = std::map<std::pair<std::uint32_t, std::uint32_t>, LinkTraffic>;
   std::map<std::uint32_t, Traffic> traffic_;
+  Links links_, earlier_lives_;
   std::optional<std::size_t> arcs_;
   double metres_ = 0;
   std::size_t tasks_ = 0;

@@ -7,6 +7,32 @@ namespace arcbid {
 
 using nlohmann::json;
 
+namespace {
+
+/// Totals of the link matrix, and its worst link.
+std::string links_line(const json& links) {
+  std::uint64_t sent = 0, dropped = 0, delayed = 0, duplicated = 0;
+  double worst = -1;
+  std::string worst_link;
+  for (const json& link : links) {
+    const std::uint64_t of = link["sent"], lost = link["dropped"];
+    sent += of;
+    dropped += lost;
+    delayed += link["delayed"].get<std::uint64_t>();
+    duplicated += link["duplicated"].get<std::uint64_t>();
+    const double share = of == 0 ? 0 : static_cast<double>(lost) / static_cast<double>(of);
+    if (share <= worst) continue;
+    worst = share;
+    worst_link = fmt::format("{} -> {}", link["from"].get<int>(), link["to"].get<int>());
+  }
+  const double share = sent == 0 ? 0 : static_cast<double>(dropped) / static_cast<double>(sent);
+  return fmt::format(
+      "{} sent, {} dropped by faults ({:.1f} %), {} delayed, {} duplicated; worst {}: {:.1f} %",
+      sent, dropped, 100 * share, delayed, duplicated, worst_link, 100 * worst);
+}
+
+}  // namespace
+
 json result_json(const CheckReport& report, const Monitor& monitor,
                  const std::vector<ProcessEnd>& processes, double run_s) {
   const auto outcome = monitor.outcome();
@@ -43,6 +69,13 @@ json result_json(const CheckReport& report, const Monitor& monitor,
                                 {"tasks", figures.tasks},
                                 {"length_m", figures.length_m},
                                 {"time_s", figures.time_s}});
+  for (const auto& [link, t] : monitor.links())
+    out["links"].push_back({{"from", link.first},
+                            {"to", link.second},
+                            {"sent", t.sent},
+                            {"dropped", t.dropped},
+                            {"delayed", t.delayed},
+                            {"duplicated", t.duplicated}});
   out["processes"] = json::array();
   for (const ProcessEnd& process : processes)
     out["processes"].push_back(
@@ -80,6 +113,7 @@ std::string result_table(const json& r) {
                   messages["bytes"].get<std::uint64_t>() / 1000,
                   messages["received"].get<std::uint64_t>(),
                   messages["dropped"].get<std::uint64_t>()));
+  if (r.contains("links")) row("links", links_line(r["links"]));
   std::string verdict;
   for (const auto& [name, holds] : checks.items())
     verdict +=

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/base/ids.hpp"
+#include "core/faults/schedule.hpp"
+
+namespace arcbid {
+
+enum class ProcessAction : std::uint8_t {
+  kill,        ///< SIGKILL
+  start,       ///< start it, for the first time or again
+  pause,       ///< SIGSTOP
+  resume,      ///< SIGCONT
+  start_twin,  ///< a second process with the same id
+  kill_twin,
+};
+
+/// One thing that the launcher does to a process. Agent 0: the coordinator.
+struct ProcessFault {
+  TimeNs at_ns = 0;  ///< since launch
+  AgentId agent;
+  ProcessAction action = ProcessAction::kill;
+  friend bool operator==(const ProcessFault&, const ProcessFault&) = default;
+};
+
+std::string in_words(const ProcessFault& fault);
+
+/// What a schedule asks of the launcher, in the order of time. Faults of links, clocks and messages
+/// are the agents' own affair.
+class FaultScript {
+ public:
+  explicit FaultScript(const FaultSchedule& schedule);
+
+  /// Whether the agent is not to be started with the others.
+  bool comes_late(AgentId agent) const;
+  /// Takes the next fault that is due.
+  bool next(TimeNs now_ns, ProcessFault& fault);
+  /// Whether the process will be started (again) by a fault still to come.
+  bool returns(AgentId agent) const;
+  /// When the fleet can be done at the earliest: what was done to processes must have happened, and
+  /// the death of one that stays away must have been noticed.
+  TimeNs over_ns(TimeNs lease_ns) const;
+
+ private:
+  std::vector<ProcessFault> faults_;  // ascending time
+  std::size_t done_ = 0;
+};
+
+}  // namespace arcbid

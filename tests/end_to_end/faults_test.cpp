@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Live processes under fault schedules.
+#include <gtest/gtest.h>
+#include <sqlite3.h>
+
+#include <algorithm>
+
+#include "tests/end_to_end/launched.hpp"
+
+namespace arcbid::testing {
+namespace {
+
+struct Flight {
+  Scratch scratch;
+  nlohmann::json result;
+  std::string output;
+};
+
+/// Runs the demo under `faults` (YAML, or a preset's name) until its good end.
+void run_under(const std::string& faults, Flight& run, const std::string& config = "") {
+  const bool preset = faults.find(':') == std::string::npos;
+  const std::string source = preset ? faults : run.scratch.file("faults.yaml", faults).string();
+  Launched launched({"run", config.empty() ? demo_config() : config, "--faults", source, "--out",
+                     (run.scratch / "run").string()});
+  const auto code = launched.wait_for_end(60);
+  run.output = launched.output();
+  ASSERT_EQ(code, 0) << run.output;
+  run.result = read_json(run.scratch / "run/result.json");
+}
+
+std::string many_rounds(const Scratch& scratch) {
+  return scratch
+      .file("slow.yaml",
+            "name: slow\nfleet: {agents: 4}\n"
+            "auction: {split_m: 5, tick_ms: 50, lease_ms: 1200, barrier_ms: 3000}\ntimeout_s: 60\n")
+      .string();
+}
+
+bool says(const Flight& run, const std::string& text) {
+  return run.output.find(text) != std::string::npos;
+}
+
+TEST(LinkFaults, LoseWhatTheScheduleSaysAndAreCountedByLink) {
+  Flight run;
+  run_under("lossy_30", run);
+  expect_checked(run.result, 4);
+  ASSERT_EQ(run.result["links"].size(), 12u);
+  std::uint64_t sent = 0, dropped = 0;
+  for (const auto& link : run.result["links"]) {
+    EXPECT_GT(link["sent"], 0) << link;
+    sent += link["sent"].get<std::uint64_t>();
+    dropped += link["dropped"].get<std::uint64_t>();
+  }
+  const double share = static_cast<double>(dropped) / static_cast<double>(sent);
+  EXPECT_GT(share, 0.15);  // a few hundred messages at 0.3
+  EXPECT_LT(share, 0.45);
+  EXPECT_TRUE(says(run, "dropped by faults")) << run.output;
+}
+
+TEST(LinkFaults, LeaveAllElseAlone) {
+  Flight run;
+  run_under("links: [{from: 1, to: 2, cut: true}]", run);
+  expect_checked(run.result, 4);
+  for (const auto& link : run.result["links"]) {
+    const bool cut = link["from"] == 1 && link["to"] == 2;
+    EXPECT_EQ(link["dropped"], cut ? link["sent"] : nlohmann::json(0)) << link;
+  }
+}
+
+TEST(ProcessFaults, AnAgentThatIsKilledComesBackAndTakesPart) {
+  Flight run;
+  run_under("agents: [{agent: 2, crash: {at_s: 0.8, back_after_s: 0.7}}]", run,
+            many_rounds(run.scratch));
+  expect_checked(run.result, 4);
+  EXPECT_TRUE(says(run, "fault: agent 2 is killed")) << run.output;
+  EXPECT_TRUE(says(run, "fault: agent 2 is started")) << run.output;
+  ASSERT_EQ(run.result["faults"].size(), 2u);
+  EXPECT_GE(run.result["faults"][0]["time_s"], 0.8);
+}
+
+TEST(ProcessFaults, AnAgentThatStaysDeadOwnsNothingAndItsReleaseIsSaid) {
+  Flight run;
+  run_under("agents: [{agent: 3, crash: {at_s: 1}}]", run, many_rounds(run.scratch));
+  expect_checked(run.result, 3);
+  for (const auto& agent : run.result["per_agent"]) EXPECT_NE(agent["agent"], 3);
+  EXPECT_TRUE(says(run, "agent 3 counts as dead")) << run.output;
+}
+
+TEST(ProcessFaults, AnAgentThatPausesWithinItsLeaseStaysOfTheFleet) {
+  Flight run;
+  run_under("agents: [{agent: 1, pause: {at_s: 0.6, for_s: 0.5}}]", run, many_rounds(run.scratch));
+  expect_checked(run.result, 4);
+  EXPECT_FALSE(says(run, "agent 1 counts as dead")) << run.output;
+}
+
+TEST(ProcessFaults, AnAgentMayComeLate) {
+  Flight run;
+  run_under("agents: [{agent: 4, late: {by_s: 1}}]", run, many_rounds(run.scratch));
+  expect_checked(run.result, 4);
+}
+
+TEST(ProcessFaults, TheCoordinatorComesBackWithTheSameMission) {
+  Flight run;
+  run_under("agents: [{agent: coordinator, crash: {at_s: 0.9, back_after_s: 0.4}}]", run,
+            many_rounds(run.scratch));
+  expect_checked(run.result, 4);
+  EXPECT_TRUE(says(run, "fault: coordinator is started")) << run.output;
+  EXPECT_FALSE(says(run, "was refused")) << run.output;
+}
+
+/// "receiver sender number" of every event of these kinds in the agents' logs; `field` leads to the
+/// object that has sender and number.
+std::set<std::string> messages(const std::filesystem::path& run, const std::string& kinds,
+                               const nlohmann::json::json_pointer& field) {
+  std::set<std::string> out;
+  for (const auto& entry : std::filesystem::directory_iterator(run / "logs")) {
+    const std::string name = entry.path().filename();
+    if (!name.starts_with("agent_") || entry.path().extension() != ".sqlite") continue;
+    sqlite3* db = nullptr;
+    EXPECT_EQ(sqlite3_open_v2(entry.path().c_str(), &db, SQLITE_OPEN_READONLY, nullptr), SQLITE_OK);
+    sqlite3_stmt* rows = nullptr;
+    const std::string query = "SELECT body FROM events WHERE kind IN (" + kinds + ")";
+    sqlite3_prepare_v2(db, query.c_str(), -1, &rows, nullptr);
+    while (sqlite3_step(rows) == SQLITE_ROW) {
+      const auto body =
+          nlohmann::json::parse(reinterpret_cast<const char*>(sqlite3_column_text(rows, 0)));
+      const auto& message = body.at(field);
+      out.insert(name.substr(0, name.find('.')) + " " + message["sender"].dump() + " " +
+                 message["sequence"].dump());
+    }
+    sqlite3_finalize(rows);
+    sqlite3_close(db);
+  }
+  return out;
+}
+
+std::size_t in_both(const std::set<std::string>& a, const std::set<std::string>& b) {
+  return static_cast<std::size_t>(
+      std::count_if(a.begin(), a.end(), [&](const std::string& one) { return b.contains(one); }));
+}
+
+TEST(LinkFaults, DropTheSameMessagesInEveryRun) {
+  Flight once, again;
+  run_under("lossy_30", once);
+  run_under("lossy_30", again);
+  const auto lost = [](const Flight& run) {
+    return messages(run.scratch / "run", "'lost'", nlohmann::json::json_pointer());
+  };
+  const auto heard = [](const Flight& run) {
+    return messages(run.scratch / "run", "'bid', 'relay', 'status'",
+                    nlohmann::json::json_pointer("/header"));
+  };
+  EXPECT_GT(in_both(lost(once), lost(again)), 5u);
+  EXPECT_GT(in_both(heard(once), heard(again)), 20u);
+  EXPECT_EQ(in_both(lost(once), heard(again)), 0u);
+  EXPECT_EQ(in_both(heard(once), lost(again)), 0u);
+}
+
+TEST(FaultOption, SaysWhatIsWrong) {
+  const Scratch scratch;
+  Launched run({"run", demo_config(), "--faults", "lossy_31", "--out", (scratch / "run").string()});
+  EXPECT_EQ(run.wait_for_end(20), 2);
+  EXPECT_FALSE(std::filesystem::exists(scratch / "run"));
+}
+
+}  // namespace
+}  // namespace arcbid::testing
