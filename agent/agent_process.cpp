@@ -12,7 +12,7 @@
 #include "core/io/run/event_json.hpp"
 #include "core/io/run/run_files.hpp"
 #include "core/route/route.hpp"
-#include "idl/wire_size.hpp"
+#include "idl/payload_size.hpp"
 
 namespace arcbid {
 namespace {
@@ -141,7 +141,7 @@ void AgentProcess::handle(const Malformed& malformed) {
 template <class Message>
 void AgentProcess::handle(const Message& message) {
   if (links_) {
-    if (!links_->arrived(message, wire_size(message), now_ns()))
+    if (!links_->arrived(message, payload_size(message), now_ns()))
       log("lost", {{"sender", message.header.sender.value}, {"sequence", message.header.sequence}});
   } else if (agent_) {
     step({clock_ns(), message});

@@ -5,6 +5,7 @@
 #include "core/io/process/command_line.hpp"
 #include "sim/auction/command.hpp"
 #include "sim/checker/checker.hpp"
+#include "sim/commands/sim_command.hpp"
 #include "sim/launcher/launch.hpp"
 #include "sim/picture/picture.hpp"
 
@@ -119,11 +120,13 @@ int main(int argc, char** argv) {
       ->required()
       ->check(CLI::ExistingDirectory);
   const AuctionCommand auction(app);
+  const SimCommand sim(app);
   CLI::App* reference_command =
       app.add_subcommand("config-reference", "print every key of a config, its range and default");
   return run_command_line(app, argc, argv, [&] {
     if (run_command->parsed()) return run(arguments);
     if (auction.parsed()) return auction.run();
+    if (sim.parsed()) return sim.run();
     if (check_command->parsed()) return check_again(directory);
     if (picture_command->parsed()) fmt::print("{}", draw_routes(directory));
     if (reference_command->parsed()) fmt::print("{}", config_reference());

@@ -195,7 +195,9 @@ void Agent::start_if_everybody_is_here(Update& update) {
 
 void Agent::bury_the_silent(Update& update) {
   for (std::size_t k = 0; k < view_.roster().size(); ++k) {
-    if (view_.dead(k) || !membership_.silent(k, now_ns_, mission_->auction.lease_ns)) continue;
+    if (!membership_.silent(k, now_ns_, mission_->auction.lease_ns)) continue;
+    dissemination_.forget(k);
+    if (view_.dead(k)) continue;
     StatementKey tombstone = view_.key(k);
     tombstone.dead = true;
     view_.merge({view_.roster()[k], tombstone, Claims{}});

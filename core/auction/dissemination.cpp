@@ -21,6 +21,10 @@ void Dissemination::learnt(std::size_t member, TimeNs now) {
   said_ns_[member].reset();
 }
 
+void Dissemination::forget(std::size_t member) {
+  known_[member].clear();
+}
+
 void Dissemination::holds(std::size_t member, const Heartbeat& stamp, bool whole,
                           const std::vector<Holding>& holdings) {
   if (stamp <= stamps_[member]) return;
@@ -31,7 +35,7 @@ void Dissemination::holds(std::size_t member, const Heartbeat& stamp, bool whole
 }
 
 bool Dissemination::lacks(std::size_t reader, std::size_t author, const View& view) const {
-  if (reader == self_ || view.dead(reader) || known_[reader].empty()) return false;
+  if (reader == self_ || known_[reader].empty()) return false;
   return known_[reader][author] < view.key(author);
 }
 

@@ -31,6 +31,10 @@ class Dissemination {
   /// did; older stamps change nothing.
   void holds(std::size_t member, const Heartbeat& stamp, bool whole,
              const std::vector<Holding>& holdings);
+  /// `member` is silent: nobody is served on its account until it is heard again. Somebody who is
+  /// dead to this agent and still heard is served: after a partition each side has buried the other,
+  /// and neither would begin.
+  void forget(std::size_t member);
   /// The view has a new statement of `member`.
   void learnt(std::size_t member, TimeNs now);
 

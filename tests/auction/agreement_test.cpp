@@ -97,6 +97,17 @@ TEST(Agreement, TakesBackAnAgentThatReturns) {
   }
 }
 
+TEST(Agreement, SidesThatNeverHeardEachOtherMeetWhenThePartitionHeals) {
+  Mission mission = random_mission(4, 4, 8);
+  mission.auction.barrier_ns = 500'000'000;
+  Fleet fleet(mission, {}, 4);
+  fleet.partition({{{1}, 0}, {{2}, 0}, {{3}, 1}, {{4}, 1}});
+  fleet.run_for(5'000'000'000);  // each side has buried members of whom it never heard
+  fleet.partition({});
+  ASSERT_TRUE(fleet.run(10'000'000'000));
+  EXPECT_EQ(fleet.agreement({1})->members.size(), 4u);
+}
+
 TEST(Agreement, BothSidesOfAPartitionFinishAndOneAllocationIsLeftWhenItHeals) {
   Fleet fleet(random_mission(5, 5, 9), {.loss = 0.1}, 3);
   fleet.run_for(100'000'000);

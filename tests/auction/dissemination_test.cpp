@@ -95,14 +95,27 @@ TEST_F(DisseminationTest, DoesNotRelayToTheAuthorItselfNorToTheUnheard) {
   EXPECT_THAT(due(1000), IsEmpty());
 }
 
-TEST_F(DisseminationTest, DoesNotRelayToTheDead) {
+TEST_F(DisseminationTest, DoesNotRelayToTheSilent) {
   learn(second, first, 0);
   confirms(third, 1, {second});
+  dissemination.forget(third);
   learn(third, tombstone, 0);
-  confirms(second, 1);
-  EXPECT_THAT(due(0), ElementsAre(third)) << "the tombstone, in case it lives";
+  confirms(second, 1, {third});
+  EXPECT_THAT(due(0), ElementsAre(third)) << "nobody but relays speaks for the dead";
+  confirms(second, 2);
   EXPECT_FALSE(lacking());
   EXPECT_THAT(due(1000), IsEmpty());
+}
+
+TEST_F(DisseminationTest, ServesTheDeadWhoIsHeard) {
+  learn(self, first, 0);
+  due(0);
+  learn(third, tombstone, 0);
+  due(0);
+  confirms(second, 1);
+  confirms(third, 1, {self});
+  EXPECT_THAT(due(timing.resend_ns), ElementsAre(self))
+      << "else two sides that buried each other would wait for ever";
 }
 
 TEST_F(DisseminationTest, HasNothingForSomebodyWhoHoldsMore) {

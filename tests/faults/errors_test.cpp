@@ -31,7 +31,7 @@ TEST_P(FaultError, SaysExactly) {
 }
 
 const std::vector<Case> text = {
-    {"Empty", "", "f.yaml: empty; write {} for a schedule without faults"},
+    {"Empty", "", "f.yaml: empty; write {} for a fault file of defaults"},
     {"NotYaml", "links: [", "f.yaml:1:1: not YAML: end of sequence flow not found"},
     {"Tab", "links:\n\t- loss: 1", "f.yaml:2:1: a tab; YAML is indented with spaces only"},
     {"TwoDocuments", "seed: 1\n---\nseed: 2",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "idl/wire_size.hpp"
+#include "idl/payload_size.hpp"
 
 #include "idl/convert.hpp"
 
@@ -14,13 +14,13 @@ std::uint64_t size_of(const Message& message) {
 
 }  // namespace
 
-std::uint64_t wire_size(const BidMessage& message) {
+std::uint64_t payload_size(const BidMessage& message) {
   return size_of(message);
 }
-std::uint64_t wire_size(const RelayMessage& message) {
+std::uint64_t payload_size(const RelayMessage& message) {
   return size_of(message);
 }
-std::uint64_t wire_size(const StatusMessage& message) {
+std::uint64_t payload_size(const StatusMessage& message) {
   return size_of(message);
 }
 

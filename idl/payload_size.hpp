@@ -8,8 +8,8 @@
 namespace arcbid {
 
 /// Bytes of a message on the wire: its serialised payload, without RTPS's own headers.
-std::uint64_t wire_size(const BidMessage& message);
-std::uint64_t wire_size(const RelayMessage& message);
-std::uint64_t wire_size(const StatusMessage& message);
+std::uint64_t payload_size(const BidMessage& message);
+std::uint64_t payload_size(const RelayMessage& message);
+std::uint64_t payload_size(const StatusMessage& message);
 
 }  // namespace arcbid

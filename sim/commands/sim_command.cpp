@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/commands/sim_command.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <charconv>
+#include <fstream>
+#include <optional>
+#include <thread>
+
+#include "core/io/process/process.hpp"
+#include "sim/commands/summary.hpp"
+#include "sim/world/settings_file.hpp"
+
+namespace arcbid {
+namespace {
+
+constexpr std::size_t most_shown = 20;  // violations in full
+
+struct Seeds {
+  std::uint64_t first = 1, last = 1;
+};
+
+/// "7" or "1..1000".
+Seeds seeds_of(const std::string& text) {
+  const auto wrong = [&] {
+    return InputError(
+        fmt::format("--seeds {}: is not a seed or FIRST..LAST, such as 1..1000", text));
+  };
+  const auto number = [&](std::string_view part) {
+    std::uint64_t value = 0;
+    const auto [stop, error] = std::from_chars(part.data(), part.data() + part.size(), value);
+    if (error != std::errc() || stop != part.data() + part.size()) throw wrong();
+    return value;
+  };
+  const std::size_t dots = text.find("..");
+  if (dots == std::string::npos) return {number(text), number(text)};
+  const Seeds seeds{number(std::string_view(text).substr(0, dots)),
+                    number(std::string_view(text).substr(dots + 2))};
+  if (seeds.last < seeds.first) throw wrong();
+  return seeds;
+}
+
+template <class E, std::size_t n>
+E by_name(const std::array<std::string_view, n>& names, const std::string& name) {
+  for (std::size_t i = 0; i < n; ++i)
+    if (names[i] == name) return static_cast<E>(i);
+  throw InputError(fmt::format("{} is not one of {}", name, fmt::join(names, ", ")));
+}
+
+}  // namespace
+
+struct SimCommand::Arguments {
+  std::string config, seeds = "1..1000", json, policy, score;
+  std::optional<double> loss;
+  std::optional<std::uint32_t> agents, tasks;
+  unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
+  bool trace = false;
+
+  WorldSettings settings() const;
+  std::string repeat(std::uint64_t seed) const;
+};
+
+WorldSettings SimCommand::Arguments::settings() const {
+  WorldSettings out = load_worlds(config);
+  if (!policy.empty()) out.policies = {by_name<PolicyKind>(policy_names, policy)};
+  if (!score.empty()) out.scores = {by_name<ScoreKind>(score_names, score)};
+  if (agents) out.agents = {*agents, *agents};
+  if (tasks) out.tasks = {*tasks, *tasks};
+  if (loss) {
+    out.odds = {};
+    out.odds[static_cast<std::size_t>(WorldFault::loss)] = *loss > 0 ? 1 : 0;
+    out.loss = {*loss, *loss};
+  }
+  return out;
+}
+
+/// The command line that shows one world again, bit for bit.
+std::string SimCommand::Arguments::repeat(std::uint64_t seed) const {
+  std::string line = fmt::format("arcbid sim {} --seeds {} --trace", config, seed);
+  if (!policy.empty()) line += " --policy " + policy;
+  if (!score.empty()) line += " --score " + score;
+  if (agents) line += fmt::format(" --agents {}", *agents);
+  if (tasks) line += fmt::format(" --tasks {}", *tasks);
+  if (loss) line += fmt::format(" --loss {}", *loss);
+  return line;
+}
+
+SimCommand::SimCommand(CLI::App& app) : arguments_(std::make_unique<Arguments>()) {
+  Arguments& a = *arguments_;
+  CLI::App* sim = app.add_subcommand(
+      "sim",
+      "run seeded worlds in virtual time, everything mixed that can go wrong, and check "
+      "every step");
+  sim->add_option("config", a.config, "YAML file, e.g. configs/sim.yaml; docs/SIMULATOR.md")
+      ->required();
+  sim->add_option("--seeds", a.seeds, "which worlds: SEED or FIRST..LAST");
+  sim->add_option("--jobs", a.jobs, "threads")->check(CLI::Range(1, 256));
+  sim->add_option("--json", a.json, "write the figures to this file (-: to the output)");
+  sim->add_option("--policy", a.policy, "this policy instead of the config's");
+  sim->add_option("--score", a.score, "this score instead of the config's");
+  sim->add_option("--agents", a.agents, "fleet size instead of the config's")
+      ->check(CLI::Range(1, 64));
+  sim->add_option("--tasks", a.tasks, "tasks instead of the config's")->check(CLI::Range(1, 1000));
+  sim->add_option("--loss", a.loss, "independent loss on every link instead of the config's faults")
+      ->check(CLI::Range(0.0, 1.0));
+  sim->add_flag("--trace", a.trace, "print everything that happens (one world)");
+  command_ = sim;
+}
+
+SimCommand::~SimCommand() = default;
+
+bool SimCommand::parsed() const {
+  return command_->parsed();
+}
+
+Exit SimCommand::run() const {
+  const Arguments& a = *arguments_;
+  const Seeds seeds = seeds_of(a.seeds);
+  const WorldSettings settings = a.settings();
+  if (a.trace) {
+    if (seeds.first != seeds.last) throw InputError("--trace: is for one seed");
+    const WorldSpec spec = make_world(settings, seeds.first);
+    fmt::print("{}\n", summary(spec));
+    const WorldResult result =
+        run_world(spec, [](const std::string& line) { fmt::print("{}\n", line); });
+    return result.violations.empty() ? Exit::done : Exit::check_failed;
+  }
+  SimSummary figures;
+  const TimeNs start_ns = monotonic_ns();
+  const bool terminal = isatty(STDERR_FILENO) != 0;
+  const std::uint64_t all = seeds.last - seeds.first + 1;
+  run_batch(settings, seeds.first, seeds.last, a.jobs, [&](const PricedResult& result) {
+    figures.add(result);
+    if (!result.world.violations.empty() && figures.violations() <= most_shown) {
+      const Violation& first = result.world.violations.front();
+      fmt::print("seed {}: {}: {}\n  again: {}\n", result.world.seed, first.checker, first.what,
+                 a.repeat(result.world.seed));
+    }
+    if (terminal && figures.worlds() % 100 == 0)
+      fmt::print(stderr, "\r{} of {} worlds, {} with violations", figures.worlds(), all,
+                 figures.violations());
+    return !stop_requested();
+  });
+  if (terminal) fmt::print(stderr, "\r\033[K");
+  const double wall_s = static_cast<double>(monotonic_ns() - start_ns) * 1e-9;
+  if (a.json == "-")
+    fmt::print("{}\n", figures.to_json(wall_s).dump(1));
+  else
+    fmt::print("{}", figures.table(wall_s));
+  if (!a.json.empty() && a.json != "-" &&
+      !(std::ofstream(a.json) << figures.to_json(wall_s).dump(1) << '\n'))
+    throw InputError(fmt::format("{}: cannot be written", a.json));
+  return figures.violations() == 0 && figures.worlds() == all ? Exit::done : Exit::check_failed;
+}
+
+}  // namespace arcbid

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "sim/world/checkers/step.hpp"
+#include "sim/world/spec.hpp"
+
+namespace arcbid {
+
+/// What became of one world.
+struct WorldResult {
+  std::uint64_t seed = 0;
+  bool agreed = false;
+  std::uint32_t rounds = 0;  ///< decisions of the agent that made most, until the agreement
+  std::uint64_t steps = 0;   ///< of all agents
+  std::uint64_t messages = 0, bytes = 0;
+  std::uint64_t refused = 0;  ///< messages that were refused, as they had to be
+  TimeNs agreed_ns = 0;       ///< when the last one of the final agreement proved it
+  TimeNs calm_ns = 0;         ///< when the last fault, and what it had delayed, was over
+  TimeNs bound_ns = 0;        ///< agreement must come so long after that
+  double makespan_s = 0;      ///< the slowest agent's closed path
+  std::uint64_t digest = 0;   ///< of all that happened, step by step
+  std::vector<Violation> violations;
+};
+
+/// A line for everything that happens: `--trace`.
+using Trace = std::function<void(const std::string&)>;
+
+/// Runs the world until all living agents hold a proof of one and the same agreement and nothing is
+/// to come, or until the bound has passed. Two phases: faults on, whatever they do; then calm, and
+/// agreement within the bound (docs/SIMULATOR.md). Throws nothing; violations are in the result.
+WorldResult run_world(const WorldSpec& spec, const Trace& trace = {});
+
+}  // namespace arcbid
