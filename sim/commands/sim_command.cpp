@@ -9,9 +9,11 @@
 #include <optional>
 #include <thread>
 
+#include "core/io/faults/fault_files.hpp"
 #include "core/io/process/process.hpp"
 #include "sim/commands/summary.hpp"
 #include "sim/world/settings_file.hpp"
+#include "sim/world/shrink.hpp"
 
 namespace arcbid {
 namespace {
@@ -52,11 +54,11 @@ E by_name(const std::array<std::string_view, n>& names, const std::string& name)
 }  // namespace
 
 struct SimCommand::Arguments {
-  std::string config, seeds = "1..1000", json, policy, score;
+  std::string config, seeds = "1..1000", json, policy, score, faults;
   std::optional<double> loss;
   std::optional<std::uint32_t> agents, tasks;
   unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
-  bool trace = false;
+  bool trace = false, shrinks = false;
 
   WorldSettings settings() const;
   std::string repeat(std::uint64_t seed) const;
@@ -89,6 +91,16 @@ std::string SimCommand::Arguments::repeat(std::uint64_t seed) const {
 
 SimCommand::SimCommand(CLI::App& app) : arguments_(std::make_unique<Arguments>()) {
   Arguments& a = *arguments_;
+  CLI::App* smaller = app.add_subcommand(
+      "shrink", "reduce a failing world to the fewest faults, agents and arcs that still fail");
+  smaller->add_option("config", a.config, "YAML file of the worlds")->required();
+  smaller->add_option("--seed", a.seeds, "the failing world")->required();
+  smaller->add_option("--policy", a.policy, "as for sim");
+  smaller->add_option("--score", a.score, "as for sim");
+  smaller->add_option("--faults", a.faults,
+                      "write what is left of the fault schedule to this file, "
+                      "for arcbid run --faults");
+  shrink_ = smaller;
   CLI::App* sim = app.add_subcommand(
       "sim",
       "run seeded worlds in virtual time, everything mixed that can go wrong, and check "
@@ -105,6 +117,8 @@ SimCommand::SimCommand(CLI::App& app) : arguments_(std::make_unique<Arguments>()
   sim->add_option("--tasks", a.tasks, "tasks instead of the config's")->check(CLI::Range(1, 1000));
   sim->add_option("--loss", a.loss, "independent loss on every link instead of the config's faults")
       ->check(CLI::Range(0.0, 1.0));
+  sim->add_option("--export-faults", a.faults,
+                  "write the world's fault schedule to this file, for arcbid run --faults");
   sim->add_flag("--trace", a.trace, "print everything that happens (one world)");
   command_ = sim;
 }
@@ -112,15 +126,53 @@ SimCommand::SimCommand(CLI::App& app) : arguments_(std::make_unique<Arguments>()
 SimCommand::~SimCommand() = default;
 
 bool SimCommand::parsed() const {
-  return command_->parsed();
+  return command_->parsed() || shrink_->parsed();
+}
+
+/// A schedule that live processes can be run under.
+void SimCommand::write_faults(const WorldSpec& spec) const {
+  if (arguments_->faults.empty()) return;
+  if (!(std::ofstream(arguments_->faults) << to_yaml(spec.faults)))
+    throw InputError(fmt::format("{}: cannot be written", arguments_->faults));
+}
+
+Exit SimCommand::run_shrink() const {
+  const Arguments& a = *arguments_;
+  const Seeds seeds = seeds_of(a.seeds);
+  if (seeds.first != seeds.last) throw InputError("--seed: is one seed");
+  const WorldSpec spec = make_world(a.settings(), seeds.first);
+  const WorldResult result = run_world(spec);
+  if (result.violations.empty())
+    throw InputError(fmt::format("--seed {}: this world has no violation", seeds.first));
+  const std::string checker = result.violations.front().checker;
+  const WorldSpec small = shrink(spec, [&](const WorldSpec& world) {
+    const WorldResult again = run_world(world);
+    return !again.violations.empty() && again.violations.front().checker == checker;
+  });
+  fmt::print("{}\nshrunk to\n{}\n", summary(spec), summary(small));
+  for (const Uav& uav : small.mission.fleet)
+    fmt::print("agent {} at ({:.3f}, {:.3f}, {:.3f}) m, {:.3f} m/s\n", uav.id.value, uav.home_m.x(),
+               uav.home_m.y(), uav.home_m.z(), uav.speed_mps);
+  for (const Arc& arc : small.mission.arcs) {
+    const Vec3 &p = arc.waypoints.front().position_m, &q = arc.waypoints.back().position_m;
+    fmt::print("arc {} from ({:.3f}, {:.3f}, {:.3f}) to ({:.3f}, {:.3f}, {:.3f}) m\n", arc.id.value,
+               p.x(), p.y(), p.z(), q.x(), q.y(), q.z());
+  }
+  fmt::print("{}", to_yaml(small.faults));
+  run_world(small, [](const std::string& line) { fmt::print("{}\n", line); });
+  write_faults(small);
+  return Exit::check_failed;
 }
 
 Exit SimCommand::run() const {
+  if (shrink_->parsed()) return run_shrink();
   const Arguments& a = *arguments_;
   const Seeds seeds = seeds_of(a.seeds);
   const WorldSettings settings = a.settings();
+  if ((a.trace || !a.faults.empty()) && seeds.first != seeds.last)
+    throw InputError("--trace and --export-faults: are for one seed");
+  write_faults(make_world(settings, seeds.first));
   if (a.trace) {
-    if (seeds.first != seeds.last) throw InputError("--trace: is for one seed");
     const WorldSpec spec = make_world(settings, seeds.first);
     fmt::print("{}\n", summary(spec));
     const WorldResult result =

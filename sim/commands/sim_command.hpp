@@ -5,10 +5,12 @@
 #include <memory>
 
 #include "core/base/error.hpp"
+#include "sim/world/spec.hpp"
 
 namespace arcbid {
 
-/// `arcbid sim`: many worlds, drawn from a config by their seeds, checked at every step.
+/// `arcbid sim`: many worlds, drawn from a config by their seeds, checked at every step; and
+/// `arcbid shrink`, which makes one that fails smaller.
 class SimCommand {
  public:
   explicit SimCommand(CLI::App& app);
@@ -19,7 +21,11 @@ class SimCommand {
  private:
   struct Arguments;
   std::unique_ptr<Arguments> arguments_;
+  Exit run_shrink() const;
+  void write_faults(const WorldSpec& spec) const;
+
   const CLI::App* command_;
+  const CLI::App* shrink_;
 };
 
 }  // namespace arcbid
