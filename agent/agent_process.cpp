@@ -19,6 +19,7 @@ namespace {
 
 using nlohmann::json;
 
+constexpr int surely_alive = 2;  // messages; one may have been under way when its sender died
 constexpr TimeNs ask_interval_ns = 200'000'000;
 constexpr TimeNs traffic_interval_ns = 500'000'000;
 constexpr TimeNs longest_wait_ns = 50'000'000;  // signals are noticed between waits
@@ -140,12 +141,23 @@ void AgentProcess::handle(const Malformed& malformed) {
 
 template <class Message>
 void AgentProcess::handle(const Message& message) {
+  if (message.header.sender == options_.id) meet_namesake(message.header);
   if (links_) {
     if (!links_->arrived(message, payload_size(message), now_ns()))
       log("lost", {{"sender", message.header.sender.value}, {"sequence", message.header.sequence}});
   } else if (agent_) {
     step({clock_ns(), message});
   }
+}
+
+/// Somebody else speaks as this agent. The dead send nothing, so it lives. Incarnations do not tell
+/// who came first, for each is refuted by the other; but whoever has said more is the elder, and
+/// this process must go before it confuses the fleet further.
+void AgentProcess::meet_namesake(const Header& header) {
+  if (header.sequence <= bus_.counters().sent || ++elder_messages_ < surely_alive) return;
+  throw InputError(fmt::format(
+      "--id {}: taken: a process that started earlier flies as agent {}; choose another id",
+      options_.id.value, options_.id.value));
 }
 
 void AgentProcess::refuse(const std::string& reason) {

@@ -59,6 +59,7 @@ class AgentProcess {
   void publish(const Agreement& agreement, const Route& route);
   void log(std::string_view kind, const nlohmann::json& body);
   void refuse(const std::string& reason);
+  void meet_namesake(const Header& header);
   void ask_for_mission();
   void report_traffic(bool last);
   TimeNs now_ns() const { return monotonic_ns() - options_.epoch_ns; }
@@ -86,6 +87,7 @@ class AgentProcess {
   TimeNs wake_ns_ = 0;
   TimeNs traffic_reported_ns_ = 0;
   std::uint64_t refused_ = 0;
+  int elder_messages_ = 0;      // of a process with this id that has said more
   std::uint64_t sequence_ = 0;  // of status messages before the mission
   std::optional<Exit> done_;
 };

@@ -23,6 +23,19 @@ void Console::line(double time_s, const std::string& text) {
   std::fflush(stdout);
 }
 
+namespace {
+
+/// What a fault schedule has done to messages so far, when there is one.
+std::string losses(const Monitor& monitor) {
+  LinkTraffic sum;
+  for (const auto& [link, traffic] : monitor.links()) sum += traffic;
+  if (sum.sent == 0) return "";
+  return fmt::format("  links: {} sent, {} dropped, {} delayed, {} duplicated", sum.sent,
+                     sum.dropped, sum.delayed, sum.duplicated);
+}
+
+}  // namespace
+
 void Console::progress(double time_s, const Monitor& monitor) {
   std::size_t all = 0, up = 0, started = 0, agreed = 0, routed = 0;
   std::uint32_t round = 0;
@@ -54,8 +67,8 @@ void Console::progress(double time_s, const Monitor& monitor) {
   milestone(agreed_, agreed, fmt::format("agreement proven by all {}, round {}", all, round));
   milestone(routed_, routed, fmt::format("all {} routes published", all));
   if (!terminal_ || routed_) return;
-  fmt::print("\r\033[K{:7.2f} s  agents {}/{}  bidding {}  round {}  agreed {}  routed {}", time_s,
-             up, all, started, round, agreed, routed);
+  fmt::print("\r\033[K{:7.2f} s  agents {}/{}  bidding {}  round {}  agreed {}  routed {}{}",
+             time_s, up, all, started, round, agreed, routed, losses(monitor));
   std::fflush(stdout);
   dirty_ = true;
 }

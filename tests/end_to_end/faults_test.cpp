@@ -99,6 +99,13 @@ TEST(ProcessFaults, AnAgentMayComeLate) {
   expect_checked(run.result, 4);
 }
 
+TEST(ProcessFaults, ASecondProcessWithAnIdIsSentAwayAndTheFirstGoesOn) {
+  Flight run;
+  run_under("agents: [{agent: 2, twin: {at_s: 0.8, for_s: 4}}]", run, many_rounds(run.scratch));
+  expect_checked(run.result, 4);
+  EXPECT_TRUE(says(run, "agent 2, second, ended with exit code 2")) << run.output;
+}
+
 TEST(ProcessFaults, TheCoordinatorComesBackWithTheSameMission) {
   Flight run;
   run_under("agents: [{agent: coordinator, crash: {at_s: 0.9, back_after_s: 0.4}}]", run,
