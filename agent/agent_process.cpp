@@ -40,8 +40,8 @@ AgentProcess::AgentProcess(AgentOptions options)
     : options_(std::move(options)),
       report_(fmt::format("agent {}", options_.id.value), options_.json_events),
       incarnation_(birth_stamp_ms()),
-      bus_(options_.network, options_.domain, BusRole::agent,
-           fmt::format("arcbid-agent-{}", options_.id.value), options_.fleet_size) {
+      bus_(options_.network, options_.domain, options_.id, options_.fleet_size,
+           options_.fault_tier) {
   if (options_.run) {
     // A life has its own log: an agent that comes back must not write over what its last life left.
     log_.emplace(*options_.run / "logs" /
@@ -119,12 +119,21 @@ void AgentProcess::handle(const Mission& mission) {
   mission_digest_ = digest(mission);
   transit_ = std::make_shared<const StraightTransit>();
   agent_ = std::make_unique<Agent>(options_.id, incarnation_, mission_, transit_, clock_ns());
-  if (options_.faults) links_.emplace(*options_.faults, mission_->fleet, options_.id);
+  install_faults();
   log("mission", to_json(mission));
   report_("mission", {{"arcs", mission.arcs.size()}, {"tasks", agent_->tasks().tasks.size()}});
   for (const std::string& warning : agent_->tasks().warnings)
     report_("warning", {{"text", warning}});
   step({clock_ns(), Tick{bus_.matched_agents()}});
+}
+
+/// Where the agents are is only known with the mission.
+void AgentProcess::install_faults() {
+  if (!options_.faults) return;
+  if (options_.fault_tier == FaultTier::packets)
+    bus_.set_packet_faults(*options_.faults, mission_->fleet, options_.epoch_ns);
+  else
+    links_.emplace(*options_.faults, mission_->fleet, options_.id);
 }
 
 void AgentProcess::handle(const ControlMessage& control) {
@@ -306,9 +315,10 @@ void AgentProcess::report_traffic(bool last) {
 }
 
 void AgentProcess::report_links(bool last) {
-  if (!links_) return;
+  const auto counters = links_ ? links_->counters() : bus_.packet_counters();
+  if (counters.empty()) return;
   json from = json::array();
-  for (const auto& [sender, c] : links_->counters())
+  for (const auto& [sender, c] : counters)
     from.push_back({{"from", sender.value},
                     {"sent", c.sent},
                     {"dropped", c.dropped},

@@ -9,6 +9,7 @@
 #include "agent/faulty_links.hpp"
 #include "core/auction/agent.hpp"
 #include "core/faults/schedule.hpp"
+#include "core/faults/tier.hpp"
 #include "core/io/config.hpp"
 #include "core/io/process/process.hpp"
 #include "core/io/run/run_log.hpp"
@@ -24,7 +25,8 @@ struct AgentOptions {
   std::uint32_t fleet_size = 4;              ///< until the mission says it
   std::optional<std::filesystem::path> run;  ///< run directory; none: no files are written
   std::optional<FaultSchedule> faults;       ///< what goes wrong on the way to this agent
-  TimeNs epoch_ns = 0;                       ///< launch, on the monotonic clock
+  FaultTier fault_tier = FaultTier::messages;
+  TimeNs epoch_ns = 0;  ///< launch, on the monotonic clock
   bool json_events = false;
 };
 
@@ -46,6 +48,7 @@ class AgentProcess {
   void handle(const Message& message);
 
   void step(Event event);
+  void install_faults();
   void hear_what_is_due();
   void report_links(bool last);
   void release(const std::vector<AgentId>& dead);
@@ -72,7 +75,7 @@ class AgentProcess {
   std::shared_ptr<const Mission> mission_;
   std::shared_ptr<const Transit> transit_;
   std::unique_ptr<Agent> agent_;      // once the mission is known
-  std::optional<FaultyLinks> links_;  // likewise, when there are faults
+  std::optional<FaultyLinks> links_;  // likewise, when there are faults of messages
   std::uint64_t mission_digest_ = 0;
   std::vector<Belief> winners_;  // as of the last decision: what the dead had won
   // A tour may take longer than a lease: it is planned beside the loop, which goes on saying that

@@ -28,8 +28,7 @@ constexpr TimeNs farewell_ns = 2'000'000'000;  // for the last message to reach 
 CoordinatorProcess::CoordinatorProcess(CoordinatorOptions options)
     : options_(std::move(options)),
       report_("coordinator", options_.json_events),
-      bus_(options_.config.network, options_.domain, BusRole::coordinator, "arcbid-coordinator",
-           fleet_size(options_.config)) {
+      bus_(options_.config.network, options_.domain, the_coordinator, fleet_size(options_.config)) {
   if (options_.run) {
     log_.emplace(*options_.run / "logs" / fmt::format("coordinator.{}.sqlite", birth_stamp_ms()));
     log_->meta("schema", 1);

@@ -18,6 +18,7 @@
 #include "core/base/error.hpp"
 #include "core/io/domain/domain.hpp"
 #include "idl/endpoint.hpp"
+#include "idl/packet_faults.hpp"
 #include "idl/participant_qos.hpp"
 
 namespace arcbid {
@@ -67,21 +68,22 @@ struct Use {
 template <class Message>
 struct Endpoint {
   std::unique_ptr<Listener<Message>> listener;
-  dds::DataWriter* writer = nullptr;  ///< null: this role doesn't write the topic
+  dds::DataWriter* writer = nullptr;  ///< null: this member doesn't write the topic
   dds::DataReader* reader = nullptr;
 };
 
 }  // namespace
 
 struct Bus::Impl {
-  Impl(const NetworkConfig& network, std::uint32_t domain, BusRole role, const std::string& name,
-       std::uint32_t fleet_size)
-      : roles(reception.peers) {
+  Impl(const NetworkConfig& network, std::uint32_t domain, BusMember member,
+       std::uint32_t fleet_size, FaultTier tier)
+      : self(member), roles(reception.peers) {
     if (domain > kLastDomain)
       throw InputError(
           fmt::format("network.domain: {} is not a DDS domain; 0..{} are", domain, kLastDomain));
     turn_off_intraprocess_delivery();
-    const auto qos = participant_qos(network, domain, role, name, fleet_size);
+    if (tier == FaultTier::packets) packet_faults = std::make_shared<PacketFaults>();
+    const auto qos = participant_qos(network, domain, member, fleet_size, packet_faults);
     participant = dds::DomainParticipantFactory::get_instance()->create_participant(
         domain, qos, &roles, dds::StatusMask::none());
     if (participant == nullptr)
@@ -93,7 +95,7 @@ struct Bus::Impl {
     publisher = participant->create_publisher(dds::PUBLISHER_QOS_DEFAULT);
     subscriber = participant->create_subscriber(dds::SUBSCRIBER_QOS_DEFAULT);
     check(publisher != nullptr && subscriber != nullptr, "a participant has a publisher");
-    const bool agent = role == BusRole::agent;
+    const bool agent = member.has_value();
     open<Mission>(network, {.writes = !agent, .reads = agent, .counts_readers = !agent});
     open<ControlMessage>(network, {.writes = !agent, .reads = agent});
     open<BidMessage>(network, {agent, agent, agent, agent});
@@ -147,7 +149,7 @@ struct Bus::Impl {
   template <class Message>
   void publish(const Message& message) {
     dds::DataWriter* writer = std::get<Endpoint<Message>>(endpoints).writer;
-    check(writer != nullptr, "this role writes the topic");
+    check(writer != nullptr, "this member writes the topic");
     auto sample = to_wire(message);
     // False: the sample could not be stored or handed on. It may as well have been lost on the way.
     if (!writer->write(&sample)) {
@@ -158,6 +160,8 @@ struct Bus::Impl {
     reception.counters.bytes_sent += decltype(sample)::getCdrSerializedSize(sample);
   }
 
+  const BusMember self;
+  std::shared_ptr<PacketFaults> packet_faults;  ///< the transport's too; null: plain UDP
   Reception reception;
   RoleListener roles;
   dds::DomainParticipant* participant = nullptr;
@@ -168,9 +172,9 @@ struct Bus::Impl {
       endpoints;
 };
 
-Bus::Bus(const NetworkConfig& network, std::uint32_t domain, BusRole role, const std::string& name,
-         std::uint32_t fleet_size)
-    : impl_(std::make_unique<Impl>(network, domain, role, name, fleet_size)) {}
+Bus::Bus(const NetworkConfig& network, std::uint32_t domain, BusMember member,
+         std::uint32_t fleet_size, FaultTier tier)
+    : impl_(std::make_unique<Impl>(network, domain, member, fleet_size, tier)) {}
 
 Bus::~Bus() = default;
 
@@ -208,6 +212,17 @@ std::uint32_t Bus::matched_agents() const {
 TrafficCounters Bus::counters() const {
   const AtomicCounters& now = impl_->reception.counters;
   return {now.sent, now.received, now.dropped, now.bytes_sent};
+}
+
+void Bus::set_packet_faults(const FaultSchedule& schedule, const std::vector<Uav>& fleet,
+                            TimeNs epoch_ns) {
+  check(impl_->self && impl_->packet_faults, "packet faults are an agent's, of tier packets");
+  impl_->packet_faults->install(schedule, fleet, *impl_->self, epoch_ns);
+}
+
+std::map<AgentId, LinkCounters> Bus::packet_counters() const {
+  return impl_->packet_faults ? impl_->packet_faults->counters()
+                              : std::map<AgentId, LinkCounters>{};
 }
 
 }  // namespace arcbid

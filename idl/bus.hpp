@@ -3,13 +3,18 @@
 
 #include <chrono>
 #include <cstdint>
+#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "core/arcs/mission.hpp"
 #include "core/auction/message.hpp"
+#include "core/faults/link_model.hpp"
+#include "core/faults/schedule.hpp"
+#include "core/faults/tier.hpp"
 #include "core/io/config.hpp"
 
 namespace arcbid {
@@ -30,7 +35,9 @@ struct TrafficCounters {
   std::uint64_t bytes_sent = 0;  ///< serialised payload, counted once however many receive it
 };
 
-enum class BusRole : std::uint8_t { coordinator, agent };
+/// Who takes part: an agent, or, without one, the coordinator.
+using BusMember = std::optional<AgentId>;
+inline constexpr BusMember the_coordinator = std::nullopt;
 
 /// The DDS side of a process: one participant, a topic a kind of message (docs/WIRE.md). All Fast
 /// DDS types stay behind this class. publish() and wait() are called from one thread; reception
@@ -38,15 +45,16 @@ enum class BusRole : std::uint8_t { coordinator, agent };
 ///
 /// An agent reads missions, control, bids, relays and status, and writes bids, relays, status and
 /// routes. The coordinator reads status and routes, and writes missions and control; publishing
-/// what the role doesn't write is a bug in the caller and aborts.
+/// what this member doesn't write is a bug in the caller and aborts.
 class Bus {
  public:
-  /// `domain`: 0..231. `name`: this participant's, distinct for every agent ("arcbid-agent-3").
-  /// `fleet_size`: how many agents to expect (sizes the range of ports where peers are looked for).
+  /// `domain`: 0..231. `fleet_size`: how many agents to expect (sizes the range of ports where
+  /// peers are looked for). `tier`: packets puts a layer under DDS on which set_packet_faults()
+  /// acts.
   /// Throws InputError when the network settings can't be used: not an IPv4 address, no such
   /// interface, no such domain, or no port left in it.
-  Bus(const NetworkConfig& network, std::uint32_t domain, BusRole role, const std::string& name,
-      std::uint32_t fleet_size);
+  Bus(const NetworkConfig& network, std::uint32_t domain, BusMember member,
+      std::uint32_t fleet_size, FaultTier tier = FaultTier::messages);
   ~Bus();
 
   void publish(const Mission& mission);
@@ -68,6 +76,15 @@ class Bus {
   std::uint32_t matched_agents() const;
 
   TrafficCounters counters() const;
+
+  /// From now on the schedule acts on RTPS packets that arrive here from other agents of `fleet`
+  /// (ascending ids, with their places), discovery aside; until then all pass. `epoch_ns`: the
+  /// launch, on the monotonic clock. Only an agent's bus of tier packets can: otherwise this is a
+  /// bug in the caller.
+  void set_packet_faults(const FaultSchedule& schedule, const std::vector<Uav>& fleet,
+                         TimeNs epoch_ns);
+  /// What it has done so far, by sender, in packets. Empty without packet faults.
+  std::map<AgentId, LinkCounters> packet_counters() const;
 
  private:
   struct Impl;

@@ -8,11 +8,15 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <memory>
 #include <string_view>
+#include <utility>
 
 #include "core/base/error.hpp"
 #include "core/io/domain/domain.hpp"
+#include "idl/faulty_transport.hpp"
+#include "idl/guid_prefix.hpp"
 
 namespace arcbid {
 
@@ -63,13 +67,25 @@ rtps::Locator_t locator(const std::string& address, std::uint32_t port) {
 }
 
 void add_transport(dds::DomainParticipantQos& qos, const std::string& address,
-                   std::uint32_t participants) {
+                   std::uint32_t participants, std::shared_ptr<PacketFaults> faults) {
   auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
   udp->interfaceWhiteList = {address};
   udp->sendBufferSize = udp->receiveBufferSize = kSocketBuffer;
   udp->maxInitialPeersRange = participants;
   qos.transport().use_builtin_transports = false;
-  qos.transport().user_transports.push_back(udp);
+  if (faults)
+    qos.transport().user_transports.push_back(
+        std::make_shared<FaultyTransportDescriptor>(udp, std::move(faults)));
+  else
+    qos.transport().user_transports.push_back(udp);
+}
+
+void set_identity(dds::DomainParticipantQos& qos, BusMember member, const std::string& address) {
+  qos.name(member ? fmt::format("arcbid-agent-{}", member->value) : "arcbid-coordinator");
+  const std::string_view role = member ? kAgentRole : kCoordinatorRole;
+  qos.user_data().setValue({role.begin(), role.end()});
+  const GuidPrefix prefix = new_guid_prefix(member, address);
+  std::copy(prefix.begin(), prefix.end(), qos.wire_protocol().prefix.value);
 }
 
 void use_server(rtps::DiscoverySettings& discovery, const NetworkConfig& network) {
@@ -135,15 +151,13 @@ Qos endpoint_qos(Delivery delivery, const NetworkConfig& network) {
 }  // namespace
 
 dds::DomainParticipantQos participant_qos(const NetworkConfig& network, std::uint32_t domain,
-                                          BusRole role, const std::string& name,
-                                          std::uint32_t fleet_size) {
+                                          BusMember member, std::uint32_t fleet_size,
+                                          std::shared_ptr<PacketFaults> faults) {
   require_own_address(network.interface_address);
   const std::uint32_t participants = participants_of(fleet_size);
   dds::DomainParticipantQos qos;
-  qos.name(name);
-  const std::string_view text = role == BusRole::agent ? kAgentRole : kCoordinatorRole;
-  qos.user_data().setValue({text.begin(), text.end()});
-  add_transport(qos, network.interface_address, participants);
+  set_identity(qos, member, network.interface_address);
+  add_transport(qos, network.interface_address, participants, std::move(faults));
   set_ports(qos, network, domain, participants);
   set_discovery(qos, network);
   auto flow = std::make_shared<eprosima::fastdds::rtps::FlowControllerDescriptor>();

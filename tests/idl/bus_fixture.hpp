@@ -26,13 +26,11 @@ inline double seconds_since(Clock::time_point start) {
 /// Real Fast DDS on 127.0.0.1, in a domain of the test's own.
 class BusTest : public testing::Test {
  protected:
-  std::unique_ptr<Bus> agent(std::uint32_t id) {
-    return std::make_unique<Bus>(network_, lease_.domain(), BusRole::agent,
-                                 "arcbid-agent-" + std::to_string(id), kFleet);
+  std::unique_ptr<Bus> agent(std::uint32_t id, FaultTier tier = FaultTier::messages) {
+    return std::make_unique<Bus>(network_, lease_.domain(), AgentId{id}, kFleet, tier);
   }
   std::unique_ptr<Bus> coordinator() {
-    return std::make_unique<Bus>(network_, lease_.domain(), BusRole::coordinator,
-                                 "arcbid-coordinator", kFleet);
+    return std::make_unique<Bus>(network_, lease_.domain(), the_coordinator, kFleet);
   }
 
   template <class Condition>

@@ -13,7 +13,7 @@ int main(int argc, char** argv) {
   if (argc != 3) return 2;
   const auto domain = static_cast<std::uint32_t>(std::atoi(argv[1]));
   const AgentId self{static_cast<std::uint32_t>(std::atoi(argv[2]))};
-  Bus bus({}, domain, BusRole::agent, "arcbid-agent-" + std::to_string(self.value), 16);
+  Bus bus({}, domain, self, 16);
   std::atomic<bool> ended = false;
   std::jthread input([&] {
     while (std::getchar() != EOF) {

@@ -97,7 +97,7 @@ TEST_F(BusTest, ASecondLifeUnderTheSameNameCountsOnce) {
 TEST_F(BusTest, DomainsDoNotMeet) {
   const DomainLease elsewhere(kFleet);
   const auto one = agent(1), two = agent(2);
-  const Bus stranger(network_, elsewhere.domain(), BusRole::agent, "arcbid-agent-3", kFleet);
+  const Bus stranger(network_, elsewhere.domain(), AgentId{3}, kFleet);
   ASSERT_TRUE(matched(*one, 1) && matched(*two, 1));
   std::this_thread::sleep_for(500ms);
   EXPECT_EQ(one->matched_agents(), 1u);
@@ -127,7 +127,7 @@ TEST_F(BusTest, UnusableSettingsAreInputErrors) {
   network_.transport = TransportKind::discovery_server;
   network_.server_address = "300.0.0.1";
   EXPECT_THROW(agent(1), InputError);
-  EXPECT_THROW(Bus({}, 232, BusRole::agent, "x", 4), InputError);
+  EXPECT_THROW(Bus({}, 232, AgentId{1}, 4), InputError);
 }
 
 TEST_F(BusTest, NoSharedMemoryAndNoMulticast) {

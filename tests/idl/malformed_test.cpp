@@ -44,7 +44,7 @@ class Intruder {
   Intruder(const NetworkConfig& network, std::uint32_t domain)
       : raw_(new RawType<typename Topic<Message>::Type>()), type_(raw_) {
     participant_ = dds::DomainParticipantFactory::get_instance()->create_participant(
-        domain, participant_qos(network, domain, BusRole::coordinator, "intruder", 16));
+        domain, participant_qos(network, domain, the_coordinator, 16));
     type_.register_type(participant_);
     dds::Topic* topic = participant_->create_topic(Topic<Message>::name, type_.get_type_name(),
                                                    dds::TOPIC_QOS_DEFAULT);
