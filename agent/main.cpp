@@ -16,7 +16,7 @@ int main(int argc, char** argv) {
       "start one on each, all with the same CONFIG.",
       "arcbid-agent"};
   app.set_version_flag("--version", ARCBID_VERSION);
-  std::string config_file, run, faults;
+  std::string config_file, run, faults, fault_tier;
   std::uint32_t id = 0;
   std::optional<std::uint32_t> domain;
   AgentOptions options;
@@ -29,8 +29,13 @@ int main(int argc, char** argv) {
   app.add_option("--domain", domain, "DDS domain id (default: the config's)")
       ->check(CLI::Range(0, 232));
   app.add_option("--run", run, "run directory for route and event log (default: none is written)");
-  app.add_option("--faults", faults,
-                 "fault file or preset (docs/FAULTS.md): what goes wrong on the way to this agent");
+  CLI::Option* with_faults = app.add_option(
+      "--faults", faults,
+      "fault file or preset (docs/FAULTS.md): what goes wrong on the way to this agent");
+  app.add_option("--fault-tier", fault_tier,
+                 "what the faults of links act on: messages (default), or packets, under DDS")
+      ->check(CLI::IsMember({"messages", "packets"}))
+      ->needs(with_faults);
   app.add_option("--epoch-ns", options.epoch_ns,
                  "launch time on the monotonic clock (default: now)");
   app.add_flag("--json-events", options.json_events, "report one JSON object a line");
@@ -51,6 +56,7 @@ int main(int argc, char** argv) {
     options.fleet_size = fleet_size(config);
     if (!run.empty()) options.run = run;
     if (!faults.empty()) options.faults = load_faults(faults, fleet);
+    if (fault_tier == name_of(FaultTier::packets)) options.fault_tier = FaultTier::packets;
     if (options.epoch_ns == 0) options.epoch_ns = monotonic_ns();
     return AgentProcess(std::move(options)).run();
   });

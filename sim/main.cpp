@@ -14,7 +14,7 @@ namespace {
 using namespace arcbid;
 
 struct RunArguments {
-  std::string config, structure, unit, up, out, faults;
+  std::string config, structure, unit, up, out, faults, fault_tier;
   std::optional<std::uint32_t> agents;
   bool print_config = false;
 };
@@ -60,7 +60,9 @@ Exit run(const RunArguments& arguments) {
   const auto self = std::filesystem::read_symlink("/proc/self/exe");
   std::optional<FaultSchedule> faults;
   if (!arguments.faults.empty()) faults = load_faults(arguments.faults, fleet_ids(config));
-  return launch({config, std::filesystem::absolute(out), faults, self.parent_path()});
+  const FaultTier tier = arguments.fault_tier == name_of(FaultTier::packets) ? FaultTier::packets
+                                                                             : FaultTier::messages;
+  return launch({config, std::filesystem::absolute(out), faults, tier, self.parent_path()});
 }
 
 Exit check_again(const std::string& directory) {
@@ -89,8 +91,13 @@ CLI::App* add_run(CLI::App& app, RunArguments& arguments) {
   run->add_option("--up", arguments.up, "axis that points up in that file: x, y, z")
       ->check(CLI::IsMember({"x", "y", "z"}));
   run->add_option("--out", arguments.out, "run directory (default: a new one under runs/)");
-  run->add_option("--faults", arguments.faults,
-                  "what goes wrong: a fault file, or a preset such as lossy_30 (docs/FAULTS.md)");
+  CLI::Option* faults = run->add_option(
+      "--faults", arguments.faults,
+      "what goes wrong: a fault file, or a preset such as lossy_30 (docs/FAULTS.md)");
+  run->add_option("--fault-tier", arguments.fault_tier,
+                  "what the faults of links act on: messages (default), or packets, under DDS")
+      ->check(CLI::IsMember({"messages", "packets"}))
+      ->needs(faults);
   run->add_flag("--print-config", arguments.print_config,
                 "print the config as it would run, and stop");
   return run;

@@ -10,7 +10,7 @@
 
 namespace arcbid {
 
-Console::Console() : terminal_(isatty(STDOUT_FILENO) != 0) {}
+Console::Console(FaultTier tier) : terminal_(isatty(STDOUT_FILENO) != 0), tier_(tier) {}
 
 void Console::wipe() {
   if (dirty_) fmt::print("\r\033[K");
@@ -25,13 +25,13 @@ void Console::line(double time_s, const std::string& text) {
 
 namespace {
 
-/// What a fault schedule has done to messages so far, when there is one.
-std::string losses(const Monitor& monitor) {
+/// What a fault schedule has done to links so far, when there is one.
+std::string losses(const Monitor& monitor, FaultTier tier) {
   LinkTraffic sum;
   for (const auto& [link, traffic] : monitor.links()) sum += traffic;
   if (sum.sent == 0) return "";
-  return fmt::format("  links: {} sent, {} dropped, {} delayed, {} duplicated", sum.sent,
-                     sum.dropped, sum.delayed, sum.duplicated);
+  return fmt::format("  links: {} {} sent, {} dropped, {} delayed, {} duplicated", sum.sent,
+                     name_of(tier), sum.dropped, sum.delayed, sum.duplicated);
 }
 
 }  // namespace
@@ -68,7 +68,7 @@ void Console::progress(double time_s, const Monitor& monitor) {
   milestone(routed_, routed, fmt::format("all {} routes published", all));
   if (!terminal_ || routed_) return;
   fmt::print("\r\033[K{:7.2f} s  agents {}/{}  bidding {}  round {}  agreed {}  routed {}{}",
-             time_s, up, all, started, round, agreed, routed, losses(monitor));
+             time_s, up, all, started, round, agreed, routed, losses(monitor, tier_));
   std::fflush(stdout);
   dirty_ = true;
 }

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "core/faults/tier.hpp"
 #include "sim/launcher/monitor.hpp"
 
 namespace arcbid {
@@ -11,13 +12,15 @@ namespace arcbid {
 /// written over while rounds go by.
 class Console {
  public:
-  Console();
+  /// `tier`: what the losses that it shows are losses of.
+  explicit Console(FaultTier tier);
   void line(double time_s, const std::string& text);
   void progress(double time_s, const Monitor& monitor);
 
  private:
   void wipe();
-  bool terminal_;
+  const bool terminal_;
+  const FaultTier tier_;
   bool dirty_ = false;  // a passing line is on screen
   std::size_t warnings_ = 0;
   bool published_ = false, up_ = false, started_ = false, agreed_ = false, routed_ = false;

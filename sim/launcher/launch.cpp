@@ -44,7 +44,8 @@ class Run {
         fleet_(fleet_ids(options.config)),
         epoch_ns_(monotonic_ns()),
         monitor_(fleet_),
-        script_(options_.faults.value_or(FaultSchedule{})) {
+        script_(options_.faults.value_or(FaultSchedule{})),
+        console_(options_.fault_tier) {
     if (!options_.config.network.domain) lease_.emplace(fleet_size(options_.config));
   }
 
@@ -118,7 +119,9 @@ class Run {
 
   void start_agent(AgentId agent, const std::string& name) {
     std::vector<std::string> words{"--id", std::to_string(agent.value)};
-    if (options_.faults) words.insert(words.end(), {"--faults", faults_file().string()});
+    if (options_.faults)
+      words.insert(words.end(), {"--faults", faults_file().string(), "--fault-tier",
+                                 std::string(name_of(options_.fault_tier))});
     start(agent, name, "arcbid-agent", words);
   }
 
@@ -305,7 +308,10 @@ class Run {
       ends.push_back({child.name(), child.pid(), child.exit_code(), child.ended_by_signal()});
     const CheckReport report = check_run(options_.out);
     auto result = result_json(report, monitor_, ends, now_s());
-    if (options_.faults) result["faults"] = acted_;
+    if (options_.faults) {
+      result["fault_tier"] = name_of(options_.fault_tier);
+      result["faults"] = acted_;
+    }
     write_whole(options_.out / "result.json", result.dump(2) + "\n");
     console_.line(now_s(), "every process has ended; result checked");
     if (outcome)

@@ -6,6 +6,7 @@
 
 #include "core/base/error.hpp"
 #include "core/faults/schedule.hpp"
+#include "core/faults/tier.hpp"
 #include "core/io/config.hpp"
 
 namespace arcbid {
@@ -14,6 +15,7 @@ struct LaunchOptions {
   Config config;
   std::filesystem::path out;  ///< run directory; made if absent, must be empty
   std::optional<FaultSchedule> faults;
+  FaultTier fault_tier = FaultTier::messages;
   std::filesystem::path programs;  ///< where arcbid-agent and arcbid-coordinator are
 };
 

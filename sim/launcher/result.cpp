@@ -10,7 +10,7 @@ using nlohmann::json;
 namespace {
 
 /// Totals of the link matrix, and its worst link.
-std::string links_line(const json& links) {
+std::string links_line(const json& links, const std::string& tier) {
   std::uint64_t sent = 0, dropped = 0, delayed = 0, duplicated = 0;
   double worst = -1;
   std::string worst_link;
@@ -27,8 +27,8 @@ std::string links_line(const json& links) {
   }
   const double share = sent == 0 ? 0 : static_cast<double>(dropped) / static_cast<double>(sent);
   return fmt::format(
-      "{} sent, {} dropped by faults ({:.1f} %), {} delayed, {} duplicated; worst {}: {:.1f} %",
-      sent, dropped, 100 * share, delayed, duplicated, worst_link, 100 * worst);
+      "{} {} sent, {} dropped by faults ({:.1f} %), {} delayed, {} duplicated; worst {}: {:.1f} %",
+      sent, tier, dropped, 100 * share, delayed, duplicated, worst_link, 100 * worst);
 }
 
 }  // namespace
@@ -113,7 +113,7 @@ std::string result_table(const json& r) {
                   messages["bytes"].get<std::uint64_t>() / 1000,
                   messages["received"].get<std::uint64_t>(),
                   messages["dropped"].get<std::uint64_t>()));
-  if (r.contains("links")) row("links", links_line(r["links"]));
+  if (r.contains("links")) row("links", links_line(r["links"], r["fault_tier"]));
   std::string verdict;
   for (const auto& [name, holds] : checks.items())
     verdict +=

@@ -17,11 +17,12 @@ struct Flight {
 };
 
 /// Runs the demo under `faults` (YAML, or a preset's name) until its good end.
-void run_under(const std::string& faults, Flight& run, const std::string& config = "") {
+void run_under(const std::string& faults, Flight& run, const std::string& config = "",
+               const std::string& tier = "messages") {
   const bool preset = faults.find(':') == std::string::npos;
   const std::string source = preset ? faults : run.scratch.file("faults.yaml", faults).string();
-  Launched launched({"run", config.empty() ? demo_config() : config, "--faults", source, "--out",
-                     (run.scratch / "run").string()});
+  Launched launched({"run", config.empty() ? demo_config() : config, "--faults", source,
+                     "--fault-tier", tier, "--out", (run.scratch / "run").string()});
   const auto code = launched.wait_for_end(60);
   run.output = launched.output();
   ASSERT_EQ(code, 0) << run.output;
@@ -55,6 +56,22 @@ TEST(LinkFaults, LoseWhatTheScheduleSaysAndAreCountedByLink) {
   EXPECT_GT(share, 0.15);  // a few hundred messages at 0.3
   EXPECT_LT(share, 0.45);
   EXPECT_TRUE(says(run, "dropped by faults")) << run.output;
+}
+
+TEST(LinkFaults, LosePacketsUnderDds) {
+  Flight run;
+  run_under("lossy_30", run, "", "packets");
+  expect_checked(run.result, 4);
+  EXPECT_EQ(run.result["fault_tier"], "packets");
+  ASSERT_EQ(run.result["links"].size(), 12u);
+  std::uint64_t sent = 0, dropped = 0;
+  for (const auto& link : run.result["links"]) {
+    sent += link["sent"].get<std::uint64_t>();
+    dropped += link["dropped"].get<std::uint64_t>();
+  }
+  EXPECT_GT(dropped, 0u);
+  EXPECT_LT(dropped, sent / 2);
+  EXPECT_TRUE(says(run, "packets sent")) << run.output;
 }
 
 TEST(LinkFaults, LeaveAllElseAlone) {
@@ -161,6 +178,19 @@ TEST(LinkFaults, DropTheSameMessagesInEveryRun) {
   EXPECT_GT(in_both(heard(once), heard(again)), 20u);
   EXPECT_EQ(in_both(lost(once), heard(again)), 0u);
   EXPECT_EQ(in_both(heard(once), lost(again)), 0u);
+}
+
+TEST(FaultOption, NamesATierAndGoesWithFaults) {
+  const Scratch scratch;
+  const std::string out = (scratch / "run").string();
+  Launched unknown(
+      {"run", demo_config(), "--faults", "lossy_30", "--fault-tier", "bytes", "--out", out});
+  EXPECT_EQ(unknown.wait_for_end(20), 2);
+  EXPECT_NE(unknown.output().find("bytes"), std::string::npos) << unknown.output();
+  EXPECT_NE(unknown.output().find("messages,packets"), std::string::npos) << unknown.output();
+  Launched alone({"run", demo_config(), "--fault-tier", "packets", "--out", out});
+  EXPECT_EQ(alone.wait_for_end(20), 2);
+  EXPECT_NE(alone.output().find("--faults"), std::string::npos) << alone.output();
 }
 
 TEST(FaultOption, SaysWhatIsWrong) {
