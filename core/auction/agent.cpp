@@ -54,6 +54,7 @@ Agent::Agent(AgentId self, std::uint64_t incarnation, std::shared_ptr<const Miss
       born_ns_(now_ns),
       present_(view_.roster().size(), false),
       decided_ns_(now_ns - mission_->auction.tick_ns),
+      spoke_ns_(view_.roster().size()),
       status_sent_ns_(now_ns - mission_->auction.tick_ns),
       whole_sent_ns_(now_ns - mission_->auction.lease_ns) {
   check(incarnation != 0, "an agent has a life");
@@ -65,7 +66,8 @@ Update Agent::step(const Event& event) {
   std::visit([&](const auto& what) { handle(what, update); }, event.what);
   if (phase_ == Phase::waiting_for_peers) start_if_everybody_is_here(update);
   if (phase_ != Phase::waiting_for_peers) {
-    if (undecided_ && now_ns_ - decided_ns_ >= mission_->auction.tick_ns) decide(update);
+    const bool all_was_heard = std::holds_alternative<Tick>(event.what);
+    if (undecided_ && all_was_heard && round_is_over()) decide(update);
     prove(update);
   }
   send(update);
@@ -131,10 +133,12 @@ void Agent::handle(const RoutePublished& route, Update&) {
   status_is_news_ = true;
 }
 
-std::optional<std::size_t> Agent::accept(const Header& header, Update& update) const {
+std::optional<std::size_t> Agent::accept(const Header& header, Update& update) {
   update.refused = refusal(header, expected_, view_);
   if (update.refused) return std::nullopt;
-  return view_.position(header.sender);
+  const auto k = view_.position(header.sender);
+  spoke_ns_[*k] = now_ns_;
+  return k;
 }
 
 void Agent::learn(const Statement& statement, Update& update) {
@@ -209,6 +213,22 @@ void Agent::bury_the_silent(Update& update) {
 void Agent::state(std::uint32_t version) {
   view_.merge({self_, {incarnation_, false, version}, policy_->statement()});
   dissemination_.learnt(me_, now_ns_);
+}
+
+/// Rounds go as fast as the network: the next one is due when everybody within direct reach has
+/// spoken since the last one, as all do after they have decided, or is known to hold all that is
+/// held here, and so has nothing to say. Where somebody is not heard, a tick ends the round.
+bool Agent::round_is_over() const {
+  const AuctionSettings& auction = mission_->auction;
+  if (now_ns_ - decided_ns_ >= auction.tick_ns) return true;
+  bool anybody = false;
+  for (std::size_t k = 0; k < spoke_ns_.size(); ++k) {
+    const bool in_reach = spoke_ns_[k] && now_ns_ - *spoke_ns_[k] <= auction.lease_ns;
+    if (!in_reach || view_.dead(k)) continue;
+    if (*spoke_ns_[k] <= decided_ns_ && !dissemination_.is_up_to_date(k, view_)) return false;
+    anybody = true;
+  }
+  return anybody;
 }
 
 void Agent::decide(Update& update) {

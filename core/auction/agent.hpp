@@ -93,12 +93,14 @@ class Agent {
   void handle(const StatusMessage& status, Update& update);
   void handle(const RoutePublished& route, Update& update);
 
-  std::optional<std::size_t> accept(const Header& header, Update& update) const;
+  std::optional<std::size_t> accept(const Header& header, Update& update);
   void learn(const Statement& statement, Update& update);
   void view_changed(std::size_t member, Update& update);
   void refute(const StatementKey& claimed, Update& update);
   void start_if_everybody_is_here(Update& update);
   void bury_the_silent(Update& update);
+  bool round_is_over() const;
+  bool round_is_reported(const Update& update) const;
   void decide(Update& update);
   void state(std::uint32_t version);
   void prove(Update& update);
@@ -133,6 +135,7 @@ class Agent {
   std::uint32_t round_ = 0;
   bool undecided_ = true;  // the view changed since the last decision
   TimeNs decided_ns_;
+  std::vector<std::optional<TimeNs>> spoke_ns_;  // when each member was last heard directly
   std::uint64_t view_hash_ = 0;
   bool status_is_news_ = true;
   TimeNs status_sent_ns_;

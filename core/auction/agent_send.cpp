@@ -44,6 +44,14 @@ void Agent::tell_what_is_held(StatusMessage& status) const {
   }
 }
 
+/// A bid says by itself that a round was decided. Who had none to make says so at once; who had
+/// one, when all have answered and there is nothing to decide: it is ready then.
+bool Agent::round_is_reported(const Update& update) const {
+  if (update.decision) return update.bids.empty();
+  return !undecided_ && phase_ == Phase::auction && status_sent_ns_ < decided_ns_ &&
+         round_is_over();
+}
+
 void Agent::send(Update& update) {
   for (const std::size_t author : dissemination_.due(view_, now_ns_)) {
     if (author == me_)
@@ -53,7 +61,7 @@ void Agent::send(Update& update) {
   }
   const AuctionSettings& auction = mission_->auction;
   const TimeNs since = now_ns_ - status_sent_ns_;
-  const bool news = status_is_news_ && since >= auction.tick_ns;
+  const bool news = status_is_news_ && (since >= auction.tick_ns || round_is_reported(update));
   const bool due = now_ns_ - whole_sent_ns_ >= auction.lease_ns / heartbeats_a_lease;
   if (!news && !due) return;
   const bool whole = due || phase_ == Phase::routed;  // whoever waits for the end wants it all
@@ -75,7 +83,7 @@ TimeNs Agent::next_wake() const {
   if (phase_ == Phase::waiting_for_peers) return std::min(wake, born_ns_ + auction.barrier_ns);
   for (std::size_t k = 0; k < view_.roster().size(); ++k)
     if (!view_.dead(k)) wake = std::min(wake, membership_.deadline(k, auction.lease_ns));
-  if (undecided_) wake = std::min(wake, decided_ns_ + auction.tick_ns);
+  if (undecided_) wake = round_is_over() ? now_ns_ : std::min(wake, decided_ns_ + auction.tick_ns);
   if (dissemination_.anyone_lacks(view_)) wake = std::min(wake, now_ns_ + auction.tick_ns);
   return std::max(wake, now_ns_);
 }

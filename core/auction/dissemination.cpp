@@ -71,6 +71,13 @@ std::vector<std::size_t> Dissemination::due(const View& view, TimeNs now) {
   return send;
 }
 
+bool Dissemination::is_up_to_date(std::size_t member, const View& view) const {
+  if (known_[member].empty()) return false;
+  for (std::size_t author = 0; author < known_.size(); ++author)
+    if (lacks(member, author, view)) return false;
+  return true;
+}
+
 bool Dissemination::anyone_lacks(const View& view) const {
   for (std::size_t author = 0; author < known_.size(); ++author)
     if (wanted(author, view)) return true;

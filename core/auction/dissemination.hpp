@@ -32,14 +32,16 @@ class Dissemination {
   void holds(std::size_t member, const Heartbeat& stamp, bool whole,
              const std::vector<Holding>& holdings);
   /// `member` is silent: nobody is served on its account until it is heard again. Somebody who is
-  /// dead to this agent and still heard is served: after a partition each side has buried the other,
-  /// and neither would begin.
+  /// dead to this agent and still heard is served: after a partition each side has buried the
+  /// other, and neither would begin.
   void forget(std::size_t member);
   /// The view has a new statement of `member`.
   void learnt(std::size_t member, TimeNs now);
 
   /// Members whose statements should be sent now; marks them as sent.
   std::vector<std::size_t> due(const View& view, TimeNs now);
+  /// Whether `member` is known to hold everything that `view` holds.
+  bool is_up_to_date(std::size_t member, const View& view) const;
   /// Whether some living member is known to lack something.
   bool anyone_lacks(const View& view) const;
 

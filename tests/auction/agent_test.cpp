@@ -12,20 +12,59 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-TEST_F(AgentTest, DecidesAtMostOnceATick) {
+TEST_F(AgentTest, DecidesWhenAllThatArrivedWasHeard) {
   start();
   now = second;
-  EXPECT_TRUE(hear(bid(claims(first, 1, {{{0}, -0.5}}))).decision);
+  EXPECT_FALSE(hear(bid(claims(first, 1, {{{0}, -0.5}}))).decision);
   EXPECT_FALSE(hear(bid(claims(first, 2, {{{1}, -0.5}}))).decision);
-  EXPECT_EQ(wake_ns, now + mission->auction.tick_ns);
-  now = wake_ns - 1;
-  EXPECT_FALSE(tick().decision);
-  now += 1;
+  EXPECT_EQ(wake_ns, now);
   const Update update = tick();
   ASSERT_TRUE(update.decision);
   EXPECT_TRUE(update.decision->changed);
   EXPECT_EQ(update.decision->key, agent->view().key(at_self));
   EXPECT_EQ(agent->winners()[1].winner, first);
+}
+
+TEST_F(AgentTest, DecidesAgainWhenEverybodyHasSpokenSince) {
+  start();
+  now = second;
+  hear(bid(claims(first, 1, {{{0}, -0.5}})));
+  ASSERT_TRUE(tick().decision);
+  now += 1000;
+  hear(bid(claims(first, 2, {{{1}, -0.5}})));
+  EXPECT_GT(wake_ns, now) << "the third has not spoken yet";
+  EXPECT_FALSE(tick().decision);
+  now += 1000;
+  hear(status(third));
+  EXPECT_EQ(wake_ns, now);
+  EXPECT_TRUE(tick().decision);
+}
+
+TEST_F(AgentTest, DecidesAfterATickWhereSomebodyInReachIsSilent) {
+  start();
+  now = second;
+  hear(bid(claims(first, 1, {{{0}, -0.5}})));
+  ASSERT_TRUE(tick().decision);
+  const TimeNs decided_ns = now;
+  now += 1000;
+  hear(bid(claims(first, 2, {{{1}, -0.5}})));
+  EXPECT_EQ(wake_ns, decided_ns + mission->auction.tick_ns);
+  now = wake_ns - 1;
+  EXPECT_FALSE(tick().decision);
+  now += 1;
+  EXPECT_TRUE(tick().decision);
+}
+
+TEST_F(AgentTest, DoesNotWaitForTheDeadToSpeak) {
+  start();
+  now = second;
+  Statement tombstone = claims(third, 1);
+  tombstone.key.dead = true;
+  hear(RelayMessage{header(first), tombstone});
+  ASSERT_TRUE(tick().decision);
+  now += 1000;
+  hear(bid(claims(first, 2, {{{1}, -0.5}})));
+  EXPECT_TRUE(tick().decision);
 }
 
 // -- silence and return
@@ -290,11 +329,17 @@ TEST_F(CbbaAgentTest, IsNotReadyWhileItsDecisionIsUnsettled) {
   now = second / 10;
   hear(status(first, Phase::waiting_for_peers));
   now = second / 5;
-  const Update update = hear(status(third, Phase::waiting_for_peers));
+  hear(status(third, Phase::waiting_for_peers));
+  now += 1'000'000;
+  const Update update = tick();
   ASSERT_TRUE(update.decision);
   ASSERT_TRUE(update.decision->changed) << "its first bids";
-  ASSERT_EQ(update.statuses.size(), 1u);
-  EXPECT_THAT(update.statuses[0].ready, IsEmpty());
+  EXPECT_THAT(update.statuses, IsEmpty()) << "the bid speaks for itself";
+  now = wake_ns;
+  const Update between = tick();
+  ASSERT_FALSE(between.decision);
+  ASSERT_EQ(between.statuses.size(), 1u);
+  EXPECT_THAT(between.statuses[0].ready, IsEmpty());
   now = wake_ns;
   const Update later = tick();
   ASSERT_EQ(later.statuses.size(), 1u);

@@ -35,6 +35,7 @@ class MisbehavingPeer : public AgentTest {
     settle();
     EXPECT_EQ(agent->winners(), winners);
     EXPECT_EQ(hear(bid(claims(first, 2))).refused, std::nullopt) << "the next one is sound";
+    settle();
   }
 };
 
