@@ -1,98 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <filesystem>
-#include <future>
 #include <memory>
-#include <optional>
+#include <vector>
 
-#include "agent/faulty_links.hpp"
-#include "core/auction/agent.hpp"
-#include "core/faults/schedule.hpp"
-#include "core/faults/tier.hpp"
+#include "agent/hosted_agent.hpp"
+#include "agent/shared_bus.hpp"
 #include "core/io/config.hpp"
-#include "core/io/process/process.hpp"
-#include "core/io/run/run_log.hpp"
-#include "core/route/route.hpp"
-#include "idl/bus.hpp"
 
 namespace arcbid {
 
-struct AgentOptions {
-  AgentId id;
+struct ProcessOptions {
   NetworkConfig network;
   std::uint32_t domain = 0;
-  std::uint32_t fleet_size = 4;              ///< until the mission says it
-  std::optional<std::filesystem::path> run;  ///< run directory; none: no files are written
-  std::optional<FaultSchedule> faults;       ///< what goes wrong on the way to this agent
-  FaultTier fault_tier = FaultTier::messages;
-  TimeNs epoch_ns = 0;  ///< launch, on the monotonic clock
-  bool json_events = false;
+  std::uint32_t fleet_size = 4;
+  std::vector<AgentOptions> agents;  ///< ascending ids, at least one
 };
 
-/// One UAV's process: carries events from DDS and the clock into the auction's state machine, and
-/// its updates out to DDS, to the log and to whoever started it. Decides nothing itself.
+/// A process of the fleet: a bus and the UAVs on it, one as a rule. Several share one where a
+/// machine cannot carry a process for each (fleet.agents_per_process).
 class AgentProcess {
  public:
-  explicit AgentProcess(AgentOptions options);
+  explicit AgentProcess(ProcessOptions options);
 
   /// Until the coordinator ends the mission, or a signal asks to stop.
   Exit run();
 
  private:
-  void handle(const Mission& mission);
-  void handle(const ControlMessage& control);
-  void handle(const Malformed& malformed);
-  void handle(const RouteMessage&) {}  // the other agents' routes are the coordinator's business
-  template <class Message>
-  void handle(const Message& message);
+  bool all_done() const;
+  std::chrono::nanoseconds wait_ns() const;
 
-  void step(Event event);
-  void install_faults();
-  void hear_what_is_due();
-  void report_links(bool last);
-  void release(const std::vector<AgentId>& dead);
-  /// What this agent's own clock shows: the auction knows no other.
-  TimeNs clock_ns() const;
-  TimeNs wait_ns() const;
-  void carry_out(Update& update);
-  void report(const Update& update);
-  void start_planning();
-  void fly_if_planned();
-  void publish(const Agreement& agreement, const Route& route);
-  void log(std::string_view kind, const nlohmann::json& body);
-  void refuse(const std::string& reason);
-  void meet_namesake(const Header& header);
-  void ask_for_mission();
-  void report_traffic(bool last);
-  TimeNs now_ns() const { return monotonic_ns() - options_.epoch_ns; }
-
-  AgentOptions options_;
-  Reporter report_;
-  std::optional<RunLog> log_;
-  const std::uint64_t incarnation_;
-  Bus bus_;
-  std::shared_ptr<const Mission> mission_;
-  std::shared_ptr<const Transit> transit_;
-  std::unique_ptr<Agent> agent_;      // once the mission is known
-  std::optional<FaultyLinks> links_;  // likewise, when there are faults of messages
-  std::uint64_t mission_digest_ = 0;
-  std::vector<Belief> winners_;  // as of the last decision: what the dead had won
-  // A tour may take longer than a lease: it is planned beside the loop, which goes on saying that
-  // this agent lives.
-  std::optional<Agreement> to_plan_;  // the newest agreement, until its route is published
-  double agreed_s_ = 0;
-  struct Planned {
-    std::uint64_t view_hash = 0;
-    Route route;
-  };
-  std::future<Planned> planning_;
-  TimeNs wake_ns_ = 0;
-  TimeNs traffic_reported_ns_ = 0;
-  std::uint64_t refused_ = 0;
-  int elder_messages_ = 0;      // of a process with this id that has said more
-  std::uint64_t sequence_ = 0;  // of status messages before the mission
-  std::optional<Exit> done_;
+  SharedBus bus_;
+  std::vector<std::unique_ptr<HostedAgent>> agents_;
 };
 
 }  // namespace arcbid

@@ -5,8 +5,32 @@
 #include "core/io/faults/fault_files.hpp"
 #include "core/io/process/command_line.hpp"
 
+namespace {
+
+using namespace arcbid;
+
+/// The ids asked for, ascending. All must be of the fleet, and none asked for twice.
+std::vector<AgentId> members(std::vector<std::uint32_t> ids, const std::vector<AgentId>& fleet,
+                             const std::string& config_file) {
+  std::sort(ids.begin(), ids.end());
+  std::vector<AgentId> out;
+  for (const std::uint32_t id : ids) {
+    if (std::find(fleet.begin(), fleet.end(), AgentId{id}) == fleet.end()) {
+      std::string legal;
+      for (const AgentId agent : fleet) legal += fmt::format(" {}", agent.value);
+      throw InputError(
+          fmt::format("--id {}: is not of the fleet in {}; legal are{}", id, config_file, legal));
+    }
+    if (!out.empty() && out.back() == AgentId{id})
+      throw InputError(fmt::format("--id {}: is given twice; each UAV once", id));
+    out.push_back({id});
+  }
+  return out;
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
-  using namespace arcbid;
   stop_on_signals();
   CLI::App app{
       "One UAV of the fleet. Waits for a mission on the network, bids for its arcs, and once "
@@ -17,14 +41,16 @@ int main(int argc, char** argv) {
       "arcbid-agent"};
   app.set_version_flag("--version", ARCBID_VERSION);
   std::string config_file, run, faults, fault_tier;
-  std::uint32_t id = 0;
+  std::vector<std::uint32_t> ids;
   std::optional<std::uint32_t> domain;
   AgentOptions options;
   int parent = 0;
   app.add_option("config", config_file, "the run's YAML file; its network and fleet size are used")
       ->required();
-  app.add_option("--id", id, "this agent's id, as in the fleet")
+  app.add_option("--id", ids,
+                 "this agent's id, as in the fleet; several (1,2,3): UAVs that share this process")
       ->required()
+      ->delimiter(',')
       ->check(CLI::Range(1, 65535));
   app.add_option("--domain", domain, "DDS domain id (default: the config's)")
       ->check(CLI::Range(0, 232));
@@ -43,21 +69,16 @@ int main(int argc, char** argv) {
   return run_command_line(app, argc, argv, [&] {
     if (parent != 0) end_with_parent(parent);
     const Config config = load_config(config_file);
-    options.id = {id};
     const std::vector<AgentId> fleet = fleet_ids(config);
-    if (std::find(fleet.begin(), fleet.end(), options.id) == fleet.end()) {
-      std::string legal;
-      for (const AgentId agent : fleet) legal += fmt::format(" {}", agent.value);
-      throw InputError(
-          fmt::format("--id {}: is not of the fleet in {}; legal are{}", id, config_file, legal));
-    }
-    options.network = config.network;
-    options.domain = domain_of(domain, config);
-    options.fleet_size = fleet_size(config);
     if (!run.empty()) options.run = run;
     if (!faults.empty()) options.faults = load_faults(faults, fleet);
     if (fault_tier == name_of(FaultTier::packets)) options.fault_tier = FaultTier::packets;
     if (options.epoch_ns == 0) options.epoch_ns = monotonic_ns();
-    return AgentProcess(std::move(options)).run();
+    ProcessOptions process{config.network, domain_of(domain, config), fleet_size(config), {}};
+    for (const AgentId id : members(ids, fleet, config_file)) {
+      options.id = id;
+      process.agents.push_back(options);
+    }
+    return AgentProcess(std::move(process)).run();
   });
 }

@@ -11,7 +11,7 @@
 #include <fastdds/dds/topic/Topic.hpp>
 #include <fastdds/dds/topic/TypeSupport.hpp>
 #include <mutex>
-#include <optional>
+#include <sstream>
 #include <tuple>
 #include <utility>
 
@@ -30,6 +30,14 @@ namespace rtps = eprosima::fastrtps::rtps;
 
 constexpr std::uint32_t kLastDomain = 231;
 
+/// The ids in a participant's name: "arcbid-agent-1,2,3" has three.
+std::vector<std::string> agents_of(const std::string& name) {
+  std::vector<std::string> ids;
+  std::istringstream list(name.substr(name.rfind('-') + 1));
+  for (std::string id; std::getline(list, id, ',');) ids.push_back(id);
+  return ids;
+}
+
 /// Learns which participants are agents.
 class RoleListener : public dds::DomainParticipantListener {
  public:
@@ -40,9 +48,10 @@ class RoleListener : public dds::DomainParticipantListener {
     using Info = rtps::ParticipantDiscoveryInfo;
     const bool here = found.status == Info::DISCOVERED_PARTICIPANT ||
                       found.status == Info::CHANGED_QOS_PARTICIPANT;
-    std::optional<std::string> agent;
-    if (here && is_agent(found.info.m_userData)) agent = found.info.m_participantName.to_string();
-    peers_.set_agent(found.info.m_guid.guidPrefix, std::move(agent));
+    std::vector<std::string> agents;
+    if (here && is_agent(found.info.m_userData))
+      agents = agents_of(found.info.m_participantName.to_string());
+    peers_.set_agents(found.info.m_guid.guidPrefix, std::move(agents));
   }
 
  private:
@@ -75,7 +84,7 @@ struct Endpoint {
 }  // namespace
 
 struct Bus::Impl {
-  Impl(const NetworkConfig& network, std::uint32_t domain, BusMember member,
+  Impl(const NetworkConfig& network, std::uint32_t domain, const BusMember& member,
        std::uint32_t fleet_size, FaultTier tier)
       : self(member), roles(reception.peers) {
     if (domain > kLastDomain)
@@ -95,7 +104,7 @@ struct Bus::Impl {
     publisher = participant->create_publisher(dds::PUBLISHER_QOS_DEFAULT);
     subscriber = participant->create_subscriber(dds::SUBSCRIBER_QOS_DEFAULT);
     check(publisher != nullptr && subscriber != nullptr, "a participant has a publisher");
-    const bool agent = member.has_value();
+    const bool agent = !member.agents.empty();
     open<Mission>(network, {.writes = !agent, .reads = agent, .counts_readers = !agent});
     open<ControlMessage>(network, {.writes = !agent, .reads = agent});
     open<BidMessage>(network, {agent, agent, agent, agent});
@@ -172,7 +181,7 @@ struct Bus::Impl {
       endpoints;
 };
 
-Bus::Bus(const NetworkConfig& network, std::uint32_t domain, BusMember member,
+Bus::Bus(const NetworkConfig& network, std::uint32_t domain, const BusMember& member,
          std::uint32_t fleet_size, FaultTier tier)
     : impl_(std::make_unique<Impl>(network, domain, member, fleet_size, tier)) {}
 
@@ -216,8 +225,9 @@ TrafficCounters Bus::counters() const {
 
 void Bus::set_packet_faults(const FaultSchedule& schedule, const std::vector<Uav>& fleet,
                             TimeNs epoch_ns) {
-  check(impl_->self && impl_->packet_faults, "packet faults are an agent's, of tier packets");
-  impl_->packet_faults->install(schedule, fleet, *impl_->self, epoch_ns);
+  check(!impl_->self.agents.empty() && impl_->packet_faults,
+        "packet faults are an agent's, of tier packets");
+  impl_->packet_faults->install(schedule, fleet, impl_->self.agents.front(), epoch_ns);
 }
 
 std::map<AgentId, LinkCounters> Bus::packet_counters() const {

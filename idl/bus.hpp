@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -35,9 +36,14 @@ struct TrafficCounters {
   std::uint64_t bytes_sent = 0;  ///< serialised payload, counted once however many receive it
 };
 
-/// Who takes part: an agent, or, without one, the coordinator.
-using BusMember = std::optional<AgentId>;
-inline constexpr BusMember the_coordinator = std::nullopt;
+/// Who takes part: an agent, several that share a process (ascending ids), or the coordinator.
+struct BusMember {
+  std::vector<AgentId> agents;  ///< none: the coordinator
+  BusMember(AgentId one) : agents{one} {}
+  BusMember(std::vector<AgentId> several) : agents(std::move(several)) {}
+  BusMember(std::nullopt_t) {}
+};
+inline constexpr std::nullopt_t the_coordinator = std::nullopt;
 
 /// The DDS side of a process: one participant, a topic a kind of message (docs/WIRE.md). All Fast
 /// DDS types stay behind this class. publish() and wait() are called from one thread; reception
@@ -48,12 +54,11 @@ inline constexpr BusMember the_coordinator = std::nullopt;
 /// what this member doesn't write is a bug in the caller and aborts.
 class Bus {
  public:
-  /// `domain`: 0..231. `fleet_size`: how many agents to expect (sizes the range of ports where
-  /// peers are looked for). `tier`: packets puts a layer under DDS on which set_packet_faults()
-  /// acts.
-  /// Throws InputError when the network settings can't be used: not an IPv4 address, no such
-  /// interface, no such domain, or no port left in it.
-  Bus(const NetworkConfig& network, std::uint32_t domain, BusMember member,
+  /// `domain`: 0..231. `member`: who shares the bus. `fleet_size`: how many agents to expect (sizes
+  /// the range of ports where peers are looked for). `tier`: packets puts a layer under DDS on
+  /// which set_packet_faults() acts. Throws InputError when the network settings can't be used: not
+  /// an IPv4 address, no such interface, no such domain, or no port left in it.
+  Bus(const NetworkConfig& network, std::uint32_t domain, const BusMember& member,
       std::uint32_t fleet_size, FaultTier tier = FaultTier::messages);
   ~Bus();
 

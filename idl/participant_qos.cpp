@@ -4,6 +4,7 @@
 #include <arpa/inet.h>
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 #include <fastrtps/utils/IPLocator.h>
+#include <fmt/ranges.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -80,11 +81,22 @@ void add_transport(dds::DomainParticipantQos& qos, const std::string& address,
     qos.transport().user_transports.push_back(udp);
 }
 
-void set_identity(dds::DomainParticipantQos& qos, BusMember member, const std::string& address) {
-  qos.name(member ? fmt::format("arcbid-agent-{}", member->value) : "arcbid-coordinator");
-  const std::string_view role = member ? kAgentRole : kCoordinatorRole;
+/// The name ends in the ids of the agents that share the participant: "arcbid-agent-1,2,3".
+std::string name_of(const std::vector<AgentId>& agents) {
+  if (agents.empty()) return "arcbid-coordinator";
+  std::vector<std::uint32_t> ids;
+  for (const AgentId agent : agents) ids.push_back(agent.value);
+  return fmt::format("arcbid-agent-{}", fmt::join(ids, ","));
+}
+
+void set_identity(dds::DomainParticipantQos& qos, const std::vector<AgentId>& agents,
+                  const std::string& address) {
+  qos.name(name_of(agents));
+  const std::string_view role = agents.empty() ? kCoordinatorRole : kAgentRole;
   qos.user_data().setValue({role.begin(), role.end()});
-  const GuidPrefix prefix = new_guid_prefix(member, address);
+  std::optional<AgentId> first;
+  if (!agents.empty()) first = agents.front();
+  const GuidPrefix prefix = new_guid_prefix(first, address);
   std::copy(prefix.begin(), prefix.end(), qos.wire_protocol().prefix.value);
 }
 
@@ -151,12 +163,12 @@ Qos endpoint_qos(Delivery delivery, const NetworkConfig& network) {
 }  // namespace
 
 dds::DomainParticipantQos participant_qos(const NetworkConfig& network, std::uint32_t domain,
-                                          BusMember member, std::uint32_t fleet_size,
+                                          const BusMember& member, std::uint32_t fleet_size,
                                           std::shared_ptr<PacketFaults> faults) {
   require_own_address(network.interface_address);
   const std::uint32_t participants = participants_of(fleet_size);
   dds::DomainParticipantQos qos;
-  set_identity(qos, member, network.interface_address);
+  set_identity(qos, member.agents, network.interface_address);
   add_transport(qos, network.interface_address, participants, std::move(faults));
   set_ports(qos, network, domain, participants);
   set_discovery(qos, network);

@@ -21,8 +21,8 @@ namespace arcbid {
 /// UDP receives. Throws InputError when an address isn't IPv4 or the interface isn't this
 /// machine's.
 eprosima::fastdds::dds::DomainParticipantQos participant_qos(
-    const NetworkConfig& network, std::uint32_t domain, BusMember member, std::uint32_t fleet_size,
-    std::shared_ptr<PacketFaults> faults = nullptr);
+    const NetworkConfig& network, std::uint32_t domain, const BusMember& member,
+    std::uint32_t fleet_size, std::shared_ptr<PacketFaults> faults = nullptr);
 
 /// True when a participant's user data says that it is an agent.
 bool is_agent(const std::vector<std::uint8_t>& user_data);

@@ -6,9 +6,9 @@
 
 namespace arcbid {
 
-void PeerTable::set_agent(const Prefix& peer, std::optional<std::string> agent) {
+void PeerTable::set_agents(const Prefix& peer, std::vector<std::string> agents) {
   const std::scoped_lock lock(mutex_);
-  peers_[peer].agent = std::move(agent);
+  peers_[peer].agents = std::move(agents);
   erase_if_blank(peer);
 }
 
@@ -33,7 +33,7 @@ std::uint32_t PeerTable::matched_agents() const {
   const std::scoped_lock lock(mutex_);
   std::set<std::string> agents;
   for (const auto& [prefix, peer] : peers_)
-    if (peer.agent && peer.writers > 0 && peer.readers > 0) agents.insert(*peer.agent);
+    if (peer.writers > 0 && peer.readers > 0) agents.insert(peer.agents.begin(), peer.agents.end());
   return static_cast<std::uint32_t>(agents.size());
 }
 

@@ -5,8 +5,8 @@
 #include <fastdds/rtps/common/GuidPrefix_t.hpp>
 #include <map>
 #include <mutex>
-#include <optional>
 #include <string>
+#include <vector>
 
 namespace arcbid {
 
@@ -17,8 +17,8 @@ class PeerTable {
  public:
   using Prefix = eprosima::fastrtps::rtps::GuidPrefix_t;
 
-  /// `agent`: its name; none: not an agent, or one that left.
-  void set_agent(const Prefix& peer, std::optional<std::string> agent);
+  /// `agents`: the ids of those that share the participant; none: not an agent's, or one that left.
+  void set_agents(const Prefix& peer, std::vector<std::string> agents);
   /// `change` is +1 or -1: an endpoint of the peer's came or went.
   void writer_matched(const Prefix& peer, std::int32_t change);
   void reader_matched(const Prefix& peer, std::int32_t change);
@@ -29,7 +29,7 @@ class PeerTable {
 
  private:
   struct Peer {
-    std::optional<std::string> agent;
+    std::vector<std::string> agents;
     std::int32_t writers = 0, readers = 0;
     friend bool operator==(const Peer&, const Peer&) = default;
   };

@@ -2,6 +2,7 @@
 #include "sim/launcher/launch.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <poll.h>
 #include <unistd.h>
 
@@ -34,6 +35,27 @@ constexpr double kSettleS = 0.5;    // for what a dead process sent last to arri
 std::string how_it_ended(const Child& child) {
   return child.ended_by_signal() ? fmt::format("was ended by signal {}", *child.ended_by_signal())
                                  : fmt::format("ended with exit code {}", *child.exit_code());
+}
+
+/// What is done to a process is done to all that share it: no schedule means that.
+void require_own_processes(const LaunchOptions& options) {
+  const std::uint32_t shared = options.config.fleet.agents_per_process;
+  if (!options.faults || shared == 1) return;
+  if (options.fault_tier == FaultTier::packets)
+    throw InputError(fmt::format(
+        "--fault-tier packets: acts on the packets of processes, but fleet.agents_per_process is "
+        "{}; only 1 gives every agent a process of its own",
+        shared));
+  const std::vector<AgentFault>& faults = options.faults->agents;
+  for (std::size_t n = 0; n < faults.size(); ++n) {
+    using Kind = AgentFaultKind;
+    const bool on_process = faults[n].kind != Kind::clock && faults[n].kind != Kind::malformed;
+    if (on_process && faults[n].agent != AgentId{0})
+      throw InputError(fmt::format(
+          "agents[{}] of the fault schedule: is done to the process of agent {}, but "
+          "fleet.agents_per_process is {}; only 1 gives every agent a process of its own",
+          n, faults[n].agent.value, shared));
+  }
 }
 
 /// One run, from the first process to the last.
@@ -70,10 +92,14 @@ class Run {
  private:
   double now_s() const { return static_cast<double>(monotonic_ns() - epoch_ns_) * 1e-9; }
   std::filesystem::path faults_file() const { return options_.out / "faults.yaml"; }
+  bool is_of(std::size_t c, AgentId agent) const {
+    return std::find(ids_[c].begin(), ids_[c].end(), agent) != ids_[c].end();
+  }
+  bool is_coordinator(std::size_t c) const { return is_of(c, {0}); }
   /// The newest process of an agent, or of the coordinator (0); twins aside.
   Child* process_of(AgentId agent) {
     for (std::size_t c = children_.size(); c-- > 0;)
-      if (ids_[c] == agent && !twins_.contains(c)) return &children_[c];
+      if (is_of(c, agent) && !twins_.contains(c)) return &children_[c];
     return nullptr;
   }
   Child& coordinator() { return *process_of({0}); }
@@ -88,11 +114,11 @@ class Run {
   }
   bool an_agent_runs() const {
     for (std::size_t c = 0; c < children_.size(); ++c)
-      if (ids_[c] != AgentId{0} && children_[c].running()) return true;
+      if (!is_coordinator(c) && children_[c].running()) return true;
     return somebody_returns();
   }
 
-  void start(AgentId id, const std::string& name, const std::string& program,
+  void start(const std::vector<AgentId>& ids, const std::string& name, const std::string& program,
              std::vector<std::string> words) {
     const std::uint32_t domain =
         lease_ ? lease_->domain() : options_.config.network.domain.value_or(0);
@@ -109,25 +135,37 @@ class Run {
                                      "--json-events"};
     command.insert(command.end(), words.begin(), words.end());
     children_.emplace_back(name, command);
-    ids_.push_back(id);
+    ids_.push_back(ids);
   }
 
   void start_coordinator() {
     const TimeNs over_ns = script_.over_ns(options_.config.auction.lease_ns);
-    start({0}, "coordinator", "arcbid-coordinator", {"--not-before-ns", std::to_string(over_ns)});
+    start({AgentId{0}}, "coordinator", "arcbid-coordinator",
+          {"--not-before-ns", std::to_string(over_ns)});
   }
 
-  void start_agent(AgentId agent, const std::string& name) {
-    std::vector<std::string> words{"--id", std::to_string(agent.value)};
+  /// The process of one agent, or of several that share it.
+  void start_agents_of(const std::vector<AgentId>& ids, const std::string& suffix = "") {
+    std::vector<std::uint32_t> numbers;
+    for (const AgentId id : ids) numbers.push_back(id.value);
+    const std::string list = fmt::format("{}", fmt::join(numbers, ","));
+    std::vector<std::string> words{"--id", list};
     if (options_.faults)
       words.insert(words.end(), {"--faults", faults_file().string(), "--fault-tier",
                                  std::string(name_of(options_.fault_tier))});
-    start(agent, name, "arcbid-agent", words);
+    start(ids, fmt::format("agent{} {}{}", ids.size() > 1 ? "s" : "", list, suffix), "arcbid-agent",
+          words);
   }
 
   void start_agents() {
-    for (const AgentId agent : fleet_)
-      if (!script_.comes_late(agent)) start_agent(agent, fmt::format("agent {}", agent.value));
+    const std::size_t most = options_.config.fleet.agents_per_process;
+    std::vector<AgentId> together;
+    for (const AgentId agent : fleet_) {
+      if (!script_.comes_late(agent)) together.push_back(agent);
+      if (together.empty() || (together.size() < most && agent != fleet_.back())) continue;
+      start_agents_of(together);
+      together.clear();
+    }
     write_processes();
   }
 
@@ -149,7 +187,6 @@ class Run {
   }
 
   void act(const ProcessFault& fault) {
-    const std::string name = fmt::format("agent {}", fault.agent.value);
     switch (fault.action) {
       case ProcessAction::kill:
         return signal(process_of(fault.agent), SIGKILL);
@@ -160,14 +197,14 @@ class Run {
       case ProcessAction::start:
         if (fault.agent == AgentId{0}) return start_coordinator();
         monitor_.starts(fault.agent.value);
-        start_agent(fault.agent, name);
+        start_agents_of({fault.agent});
         return write_processes();
       case ProcessAction::start_twin:
         twins_.insert(children_.size());
-        return start_agent(fault.agent, name + ", second");
+        return start_agents_of({fault.agent}, ", second");
       case ProcessAction::kill_twin:
         for (const std::size_t twin : twins_)
-          if (ids_[twin] == fault.agent) signal(&children_[twin], SIGKILL);
+          if (is_of(twin, fault.agent)) signal(&children_[twin], SIGKILL);
         return;
     }
   }
@@ -180,9 +217,9 @@ class Run {
     for (const std::string& line : children_[c].read_lines()) {
       const auto event = nlohmann::json::parse(line, nullptr, false);
       if (!event.is_object()) continue;  // half a line of a process that was killed
-      if (ids_[c] == AgentId{0}) coordinator_up_ = true;
+      if (is_coordinator(c)) coordinator_up_ = true;
       if (twins_.contains(c)) continue;  // what it says of itself is not said of the agent
-      monitor_.heard(ids_[c].value, event);
+      monitor_.heard(event.value("of", ids_[c].front().value), event);
       if (event.value("event", "") == "released") tell_release(event);
     }
   }
@@ -210,8 +247,8 @@ class Run {
         tell_twin_end(children_[c]);
         continue;
       }
-      monitor_.ended(ids_[c].value);
-      if (ids_[c] == AgentId{0})
+      for (const AgentId id : ids_[c]) monitor_.ended(id.value);
+      if (is_coordinator(c))
         coordinator_ended_s_ = now_s();
       else
         tell_agent_loss(children_[c], ids_[c]);
@@ -219,13 +256,14 @@ class Run {
   }
 
   /// Says what the end of an agent costs.
-  void tell_agent_loss(const Child& agent, AgentId id) {
-    if (stopping_since_s_ || monitor_.given_up() || agent.exit_code() == 0) return;
-    released_.erase(id.value);  // its next death is another one
-    console_.line(now_s(), fmt::format("{} {}: {}", agent.name(), how_it_ended(agent),
-                                       script_.returns(id) ? "it will be back"
-                                       : an_agent_runs()   ? "the others take over its arcs"
-                                                           : "no agent is left"));
+  void tell_agent_loss(const Child& process, const std::vector<AgentId>& ids) {
+    if (stopping_since_s_ || monitor_.given_up() || process.exit_code() == 0) return;
+    for (const AgentId id : ids) released_.erase(id.value);  // its next death is another one
+    const bool returns = script_.returns(ids.front());
+    console_.line(now_s(), fmt::format("{} {}: {}", process.name(), how_it_ended(process),
+                                       returns           ? "it will be back"
+                                       : an_agent_runs() ? "the others take over its arcs"
+                                                         : "no agent is left"));
   }
 
   void tell_twin_end(const Child& twin) {
@@ -331,9 +369,9 @@ class Run {
   Monitor monitor_;
   FaultScript script_;
   Console console_;
-  std::vector<Child> children_;  // in the order in which they were started
-  std::vector<AgentId> ids_;     // whose process each is; 0: the coordinator's
-  std::set<std::size_t> twins_;  // those that are second with their id
+  std::vector<Child> children_;            // in the order in which they were started
+  std::vector<std::vector<AgentId>> ids_;  // whose process each is; 0: the coordinator's
+  std::set<std::size_t> twins_;            // those that are second with their id
   std::set<std::uint32_t> released_;
   nlohmann::json acted_ = nlohmann::json::array();  // faults done to processes
   bool coordinator_up_ = false, coordinator_loss_told_ = false, interrupted_ = false;
@@ -344,6 +382,7 @@ class Run {
 }  // namespace
 
 Exit launch(const LaunchOptions& options) {
+  require_own_processes(options);
   std::error_code none;
   if (std::filesystem::exists(options.out, none) && !std::filesystem::is_empty(options.out, none))
     throw InputError(

@@ -47,6 +47,7 @@ void Monitor::heard(std::uint32_t id, const json& event) {
     tasks_ = event.at("tasks");
   } else if (kind == "started") {
     agent.started = true;
+    agent.started_s = event.at("time_s");
   } else if (kind == "round") {
     agent.round = event.at("round");
   } else if (kind == "reopened") {
@@ -98,15 +99,18 @@ void Monitor::ended(std::uint32_t id) {
 std::optional<Monitor::Outcome> Monitor::outcome() const {
   for (const auto& [id, witness] : agents_) {
     if (witness.routed_hash.empty() || witness.routed_hash != witness.agreed_hash) continue;
-    Outcome outcome{witness.routed_hash, witness.members, 0, 0};
+    Outcome outcome{witness.routed_hash, witness.members, 0, 0, 0};
+    double started_s = witness.started_s;
     const bool all =
         std::all_of(witness.members.begin(), witness.members.end(), [&](std::uint32_t member) {
           const AgentProgress& agent = agents_.at(member);
           outcome.rounds = std::max(outcome.rounds, agent.round);
           outcome.agreed_s = std::max(outcome.agreed_s, agent.agreed_s);
+          started_s = std::min(started_s, agent.started_s);
           return agent.routed_hash == witness.routed_hash &&
                  agent.agreed_hash == witness.routed_hash;
         });
+    outcome.auction_s = outcome.agreed_s - started_s;
     if (all) return outcome;
   }
   return std::nullopt;

@@ -17,6 +17,7 @@ namespace arcbid {
 /// What the launcher knows of one agent, from the events that its process reports.
 struct AgentProgress {
   bool up = false, has_mission = false, started = false;
+  double started_s = 0;  ///< when it passed the start barrier, since launch
   std::uint32_t round = 0;
   std::string agreed_hash;  ///< empty: no agreement, or it was reopened
   double agreed_s = 0;      ///< since launch
@@ -51,7 +52,8 @@ class Monitor {
     std::string view_hash;
     std::set<std::uint32_t> members;
     std::uint32_t rounds = 0;
-    double agreed_s = 0;  ///< when the last member had its proof, since launch
+    double agreed_s = 0;   ///< when the last member had its proof, since launch
+    double auction_s = 0;  ///< from the first member's passing the start barrier until then
   };
   std::optional<Outcome> outcome() const;
 

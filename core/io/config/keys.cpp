@@ -158,6 +158,9 @@ Keys<FleetConfig> fleet_keys() {
   return {
       key("agents", &F::agents, number<std::uint32_t>(1, most_agents),
           "Number of UAVs, placed in a row on the ground beside the structure."),
+      key("agents_per_process", &F::agents_per_process, number<std::uint32_t>(1, most_agents),
+          "How many UAVs share a process when one launcher starts all: more than 1 where a machine "
+          "cannot carry a process for each (64 on two cores: 8)."),
       key("speed_mps", &F::speed_mps, number<double>(0.1, 30),
           "Speed of every UAV that does not state its own."),
       key("uavs", &F::uavs, uav_list(),

@@ -53,6 +53,7 @@ void Reporter::operator()(std::string_view event, nlohmann::json fields) const {
   std::string line;
   if (json_) {
     fields["event"] = event;
+    if (of_) fields["of"] = of_->value;
     line = fields.dump();
   } else {
     line = fmt::format("{}: {}", who_, event);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "core/base/error.hpp"
@@ -28,15 +29,18 @@ bool stop_requested();
 void end_with_parent(int parent);
 
 /// Tells whoever started this process what happens: a JSON object a line on standard output
-/// ({"event": "agreed", …}) for a launcher, or the same as words for a person.
+/// ({"event": "agreed", "of": 3, …}; `of`: whose event it is, where it is an agent's) for a
+/// launcher, or the same as words for a person.
 class Reporter {
  public:
-  Reporter(std::string who, bool json) : who_(std::move(who)), json_(json) {}
+  Reporter(std::string who, bool json, std::optional<AgentId> of = std::nullopt)
+      : who_(std::move(who)), json_(json), of_(of) {}
   void operator()(std::string_view event, nlohmann::json fields = nlohmann::json::object()) const;
 
  private:
   std::string who_;
   bool json_;
+  std::optional<AgentId> of_;
 };
 
 /// Runs `body`; turns InputError into one line each on standard error and exit code 2, RunError and

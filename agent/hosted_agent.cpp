@@ -1,0 +1,386 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "agent/hosted_agent.hpp"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <sys/types.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "core/io/run/event_json.hpp"
+#include "core/io/run/run_files.hpp"
+#include "core/route/route.hpp"
+#include "idl/payload_size.hpp"
+
+namespace arcbid {
+namespace {
+
+using nlohmann::json;
+
+constexpr int surely_alive = 2;  // messages; one may have been under way when its sender died
+constexpr int tour_niceness = 10;
+constexpr TimeNs ask_interval_ns = 200'000'000;
+constexpr TimeNs traffic_interval_ns = 500'000'000;
+
+constexpr TimeNs write_interval_ns = 80'000'000;  // what a kill may lose of the log
+
+/// How what happened in a round is called in the log, and what is said of it.
+std::string_view kind_of(const Event& event) {
+  return kind(event);
+}
+std::string_view kind_of(const DecisionMade&) {
+  return "decision";
+}
+std::string_view kind_of(const Agreement&) {
+  return "agreed";
+}
+std::string_view kind_of(const BidMessage&) {
+  return "sent_bid";
+}
+std::string_view kind_of(const RelayMessage&) {
+  return "sent_relay";
+}
+std::string_view kind_of(const StatusMessage&) {
+  return "sent_status";
+}
+json to_body(const Event& event) {
+  json body = to_json(event);
+  body["now_ns"] = event.now_ns;
+  return body;
+}
+json to_body(const auto& what) {
+  return to_json(what);
+}
+
+double seconds(TimeNs ns) {
+  return static_cast<double>(ns) * 1e-9;
+}
+
+json count(const std::vector<AgentId>& agents) {
+  json out = json::array();
+  for (const AgentId agent : agents) out.push_back(agent.value);
+  return out;
+}
+
+}  // namespace
+
+HostedAgent::HostedAgent(AgentOptions options, SharedBus& bus)
+    : options_(std::move(options)),
+      bus_(bus),
+      report_(fmt::format("agent {}", options_.id.value), options_.json_events, options_.id),
+      incarnation_(birth_stamp_ms()) {
+  if (options_.run) {
+    // A life has its own log: an agent that comes back must not write over what its last life left.
+    log_.emplace(*options_.run / "logs" /
+                 fmt::format("agent_{}.{}.sqlite", options_.id.value, incarnation_));
+    log_->meta("schema", 1);
+    log_->meta("process", {{"role", "agent"},
+                           {"agent", options_.id.value},
+                           {"incarnation", hex(incarnation_)},
+                           {"pid", getpid()},
+                           {"version", ARCBID_VERSION}});
+    log_->commit();
+  }
+  report_("up", {{"pid", getpid()}});
+}
+
+void HostedAgent::turn() {
+  for (const Received& received : bus_.take(options_.id)) {
+    if (done_) return;
+    std::visit([this](const auto& message) { handle(message); }, received);
+  }
+  hear_what_is_due();
+  if (clock_ns() >= wake_ns_) {
+    if (agent_)
+      step({clock_ns(), Tick{bus_.matched_agents()}});
+    else
+      ask_for_mission();
+  }
+  fly_if_planned();
+  write_if_due();
+  report_traffic(false);
+}
+
+void HostedAgent::finish() {
+  report_traffic(true);
+  log("end", {{"by", done_ ? "coordinator" : "signal"}});
+}
+
+TimeNs HostedAgent::clock_ns() const {
+  return options_.faults ? clock_of(*options_.faults, options_.id, now_ns()) : now_ns();
+}
+
+TimeNs HostedAgent::wait_ns() const {
+  TimeNs wait = wake_ns_ - clock_ns();
+  if (links_ && links_->next_ns()) wait = std::min(wait, *links_->next_ns() - now_ns());
+  if (!unwritten_.empty())
+    wait = std::min(wait, unwritten_.front().at_ns + write_interval_ns - now_ns());
+  return std::max<TimeNs>(wait, 0);
+}
+
+void HostedAgent::hear_what_is_due() {
+  if (!links_) return;
+  for (const AgentMessage& message : links_->due(now_ns()))
+    std::visit([this](const auto& m) { step({clock_ns(), m}); }, message);
+}
+
+/// Until the mission is here, status messages say so, and the coordinator sends it again.
+void HostedAgent::ask_for_mission() {
+  StatusMessage status;
+  status.header = {options_.id, incarnation_, ++sequence_, 0, 0};
+  status.matched_peers = bus_.matched_agents();
+  bus_.publish(options_.id, status);
+  wake_ns_ = clock_ns() + ask_interval_ns;
+}
+
+void HostedAgent::handle(const Mission& mission) {
+  if (agent_) {
+    if (digest(mission) != mission_digest_)
+      refuse(
+          fmt::format("mission {} came while {} is under way", hex(mission.id), hex(mission_->id)));
+    return;
+  }
+  const auto me = std::find_if(mission.fleet.begin(), mission.fleet.end(),
+                               [this](const Uav& uav) { return uav.id == options_.id; });
+  if (me == mission.fleet.end()) {
+    refuse(fmt::format("mission {} has no agent {}", hex(mission.id), options_.id.value));
+    return;
+  }
+  mission_ = std::make_shared<const Mission>(mission);
+  mission_digest_ = digest(mission);
+  transit_ = std::make_shared<const StraightTransit>();
+  agent_ = std::make_unique<Agent>(options_.id, incarnation_, mission_, transit_, clock_ns());
+  install_faults();
+  log("mission", to_json(mission));
+  report_("mission", {{"arcs", mission.arcs.size()}, {"tasks", agent_->tasks().tasks.size()}});
+  for (const std::string& warning : agent_->tasks().warnings)
+    report_("warning", {{"text", warning}});
+  step({clock_ns(), Tick{bus_.matched_agents()}});
+}
+
+/// Where the agents are is only known with the mission.
+void HostedAgent::install_faults() {
+  if (!options_.faults) return;
+  if (options_.fault_tier == FaultTier::packets)
+    bus_.set_packet_faults(*options_.faults, mission_->fleet, options_.epoch_ns);
+  else
+    links_.emplace(*options_.faults, mission_->fleet, options_.id);
+}
+
+void HostedAgent::handle(const ControlMessage& control) {
+  if (!mission_ || control.mission_digest != mission_digest_) return;  // another mission's
+  log("control", {{"command", static_cast<int>(control.command)}, {"reason", control.reason}});
+  done_ = control.command == Command::complete ? Exit::done : Exit::check_failed;
+}
+
+void HostedAgent::handle(const Malformed& malformed) {
+  const std::string reason = fmt::format("{}: {}", malformed.topic, malformed.reason);
+  log("refused", {{"reason", reason}});  // the bus has counted it
+  report_("refused", {{"reason", reason}});
+}
+
+template <class Message>
+void HostedAgent::handle(const Message& message) {
+  if (message.header.sender == options_.id) meet_namesake(message.header);
+  if (links_) {
+    if (!links_->arrived(message, payload_size(message), now_ns()))
+      log("lost", {{"sender", message.header.sender.value}, {"sequence", message.header.sequence}});
+  } else if (agent_) {
+    step({clock_ns(), message});
+  }
+}
+
+/// Somebody else speaks as this agent. The dead send nothing, so it lives. Incarnations do not tell
+/// who came first, for each is refuted by the other; but whoever has said more is the elder, and
+/// this process must go before it confuses the fleet further.
+void HostedAgent::meet_namesake(const Header& header) {
+  if (header.sequence <= bus_.counters(options_.id).sent || ++elder_messages_ < surely_alive)
+    return;
+  throw InputError(fmt::format(
+      "--id {}: taken: a process that started earlier flies as agent {}; choose another id",
+      options_.id.value, options_.id.value));
+}
+
+void HostedAgent::refuse(const std::string& reason) {
+  ++refused_;
+  log("refused", {{"reason", reason}});
+  report_("refused", {{"reason", reason}});
+}
+
+/// Rounds do not wait for the log: what they leave is written together, within a short time.
+void HostedAgent::write_if_due() {
+  if (!unwritten_.empty() && now_ns() - unwritten_.front().at_ns < write_interval_ns) return;
+  write_up();
+  if (log_) log_->commit_if_due(now_ns());
+}
+
+void HostedAgent::write_up() {
+  for (const Unwritten& record : std::exchange(unwritten_, {}))
+    std::visit([&](const auto& what) { append(record.at_ns, kind_of(what), to_body(what)); },
+               record.what);
+}
+
+void HostedAgent::log(std::string_view kind, const json& body) {
+  write_up();
+  append(now_ns(), kind, body);
+}
+
+/// A log that can no longer be written costs the log, not the drone.
+void HostedAgent::append(TimeNs at_ns, std::string_view kind, const json& body) {
+  if (!log_) return;
+  try {
+    log_->append(at_ns, kind, body);
+  } catch (const RunError& error) {
+    log_.reset();
+    report_("warning", {{"text", error.what()}});
+  }
+}
+
+void HostedAgent::step(Event event) {
+  if (log_) unwritten_.push_back({now_ns(), event});
+  Update update = agent_->step(event);
+  if (update.agreed) agreed_s_ = seconds(now_ns());
+  carry_out(update);
+  if (update.decision || !update.died.empty()) winners_ = agent_->winners();
+}
+
+void HostedAgent::carry_out(Update& update) {
+  wake_ns_ = update.wake_ns;
+  const auto record = [this](const auto& what) {
+    if (log_) unwritten_.push_back({now_ns(), what});
+  };
+  if (update.decision) record(*update.decision);
+  for (const auto& m : update.bids) record(m);
+  for (const auto& m : update.relays) record(m);
+  for (const auto& m : update.statuses) record(m);
+  if (update.agreed) record(*update.agreed);
+  for (const auto& bid : update.bids) bus_.publish(options_.id, bid);
+  for (const auto& relay : update.relays) bus_.publish(options_.id, relay);
+  for (const auto& status : update.statuses) bus_.publish(options_.id, status);
+  if (update.refused) refuse(*update.refused);
+  report(update);
+  if (update.agreement_lost) to_plan_.reset();
+  if (update.agreed) {
+    to_plan_ = std::move(update.agreed);
+    start_planning();
+  }
+}
+
+void HostedAgent::report(const Update& update) {
+  const auto say = [this](std::string_view event, const json& fields) {
+    log(event, fields);
+    report_(event, fields);
+  };
+  if (update.started) say("started", {{"time_s", seconds(now_ns())}});
+  if (!update.died.empty()) {
+    say("died", {{"agents", count(update.died)}});
+    release(update.died);
+  }
+  if (!update.returned.empty()) say("returned", {{"agents", count(update.returned)}});
+  if (update.agreement_lost) say("reopened", json::object());
+  if (update.decision && update.decision->changed)
+    report_("round", {{"round", update.decision->round}, {"tasks", update.decision->path.size()}});
+  if (update.agreed)
+    report_("agreed", {{"view_hash", hex(update.agreed->view_hash)},
+                       {"round", update.agreed->round},
+                       {"time_s", agreed_s_},
+                       {"members", count(update.agreed->members)}});
+}
+
+/// The dead win nothing any more: what they had won last is free again, and said to be so.
+void HostedAgent::release(const std::vector<AgentId>& dead) {
+  for (const AgentId agent : dead) {
+    json tasks = json::array();
+    for (std::uint32_t j = 0; j < winners_.size(); ++j)
+      if (winners_[j].winner == agent) tasks.push_back(j);
+    const json fields{{"agent", agent.value}, {"tasks", tasks}};
+    log("released", fields);
+    report_("released", fields);
+  }
+}
+
+void HostedAgent::start_planning() {
+  if (!to_plan_ || planning_.valid())
+    return;  // one at a time; the next one starts when this is done
+  const auto self = std::find_if(mission_->fleet.begin(), mission_->fleet.end(),
+                                 [this](const Uav& uav) { return uav.id == options_.id; });
+  planning_ = std::async(std::launch::async,
+                         [this, mission = mission_, transit = transit_, tasks = &agent_->tasks(),
+                          uav = *self, hash = to_plan_->view_hash, path = to_plan_->path] {
+                           // Others may still be at the auction, on this very machine.
+                           setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), tour_niceness);
+                           Planned planned{hash, plan_route(*mission, *tasks, path, uav, *transit)};
+                           bus_.wake();
+                           return planned;
+                         });
+}
+
+void HostedAgent::fly_if_planned() {
+  if (!planning_.valid() ||
+      planning_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+    return;
+  const Planned planned = planning_.get();
+  if (!to_plan_ || to_plan_->view_hash != planned.view_hash) return start_planning();  // outdated
+  publish(*std::exchange(to_plan_, std::nullopt), planned.route);
+}
+
+/// Says what was won and how it is flown: on disk, to all, and only then to the auction.
+void HostedAgent::publish(const Agreement& agreement, const Route& route) {
+  if (options_.run) {
+    try {
+      write_route_file(*options_.run, options_.id, *mission_, agent_->tasks(), agreement, route,
+                       agreed_s_);
+    } catch (const std::runtime_error& error) {
+      report_("warning", {{"text", error.what()}});
+    }
+  }
+  RouteMessage message;
+  message.header = {options_.id, incarnation_, ++sequence_, mission_digest_,
+                    agent_->tasks().digest};
+  message.view_hash = agreement.view_hash;
+  message.length_m = route.length_m;
+  message.time_s = route.time_s;
+  message.legs = route.legs;
+  log("sent_route", {{"view_hash", hex(agreement.view_hash)},
+                     {"length_m", route.length_m},
+                     {"time_s", route.time_s},
+                     {"legs", route.legs.size()}});
+  if (log_) log_->commit();
+  bus_.publish(options_.id, message);
+  report_("routed",
+          {{"view_hash", hex(agreement.view_hash)}, {"members", count(agreement.members)}});
+  step({clock_ns(), RoutePublished{agreement.view_hash}});
+}
+
+void HostedAgent::report_traffic(bool last) {
+  if (!last && now_ns() - traffic_reported_ns_ < traffic_interval_ns) return;
+  traffic_reported_ns_ = now_ns();
+  const TrafficCounters traffic = bus_.counters(options_.id);
+  const json fields{{"sent", traffic.sent},
+                    {"received", traffic.received},
+                    {"dropped", traffic.dropped + refused_},
+                    {"bytes", traffic.bytes_sent}};
+  if (last) log("traffic", fields);
+  report_("traffic", fields);
+  report_links(last);
+}
+
+void HostedAgent::report_links(bool last) {
+  const auto counters = links_ ? links_->counters() : bus_.packet_counters();
+  if (counters.empty()) return;
+  json from = json::array();
+  for (const auto& [sender, c] : counters)
+    from.push_back({{"from", sender.value},
+                    {"sent", c.sent},
+                    {"dropped", c.dropped},
+                    {"delayed", c.delayed},
+                    {"duplicated", c.duplicated},
+                    {"bytes", c.bytes}});
+  if (last) log("links", from);
+  report_("links", {{"links", from}});
+}
+
+}  // namespace arcbid
