@@ -68,12 +68,13 @@ Exit AgentProcess::run() {
       else
         ask_for_mission();
     }
+    say_what_is_malformed();
     fly_if_planned();
     if (log_) log_->commit_if_due(now_ns());
     report_traffic(false);
   }
   report_traffic(true);
-  log("end", {{"by", done_ ? "coordinator" : "signal"}});
+  log("end", {{"by", ended_by_}});
   return done_.value_or(Exit::done);
 }
 
@@ -84,6 +85,7 @@ TimeNs AgentProcess::clock_ns() const {
 TimeNs AgentProcess::wait_ns() const {
   TimeNs wait = wake_ns_ - clock_ns();
   if (links_ && links_->next_ns()) wait = std::min(wait, *links_->next_ns() - now_ns());
+  if (malformer_ && malformer_->next_ns()) wait = std::min(wait, *malformer_->next_ns() - now_ns());
   return std::clamp<TimeNs>(wait, 0, longest_wait_ns);
 }
 
@@ -91,6 +93,22 @@ void AgentProcess::hear_what_is_due() {
   if (!links_) return;
   for (const AgentMessage& message : links_->due(now_ns()))
     std::visit([this](const auto& m) { step({clock_ns(), m}); }, message);
+}
+
+/// What the fault schedule makes this agent say. The auction knows nothing of it.
+void AgentProcess::say_what_is_malformed() {
+  if (!malformer_) return;
+  const Malformer::Speech speech = malformer_->due(now_ns());
+  for (const auto& [how, message] : speech.messages) {
+    log("sent_malformed", {{"what", name_of(how)}, {"message", to_json(message)}});
+    bus_.publish(message);
+  }
+  if (!speech.ends) return;
+  report_("warning", {{"text", fmt::format("agent {} bids far above everybody for every task and "
+                                           "ends: fault over_bid",
+                                           options_.id.value)}});
+  ended_by_ = "fault";
+  done_ = Exit::check_failed;
 }
 
 /// Until the mission is here, status messages say so, and the coordinator sends it again.
@@ -119,7 +137,11 @@ void AgentProcess::handle(const Mission& mission) {
   mission_digest_ = digest(mission);
   transit_ = std::make_shared<const StraightTransit>();
   agent_ = std::make_unique<Agent>(options_.id, incarnation_, mission_, transit_, clock_ns());
-  if (options_.faults) links_.emplace(*options_.faults, mission_->fleet, options_.id);
+  if (options_.faults) {
+    links_.emplace(*options_.faults, mission_->fleet, options_.id);
+    malformer_.emplace(*options_.faults, options_.id, agent_->tasks().tasks.size(),
+                       mission_->auction.tick_ns);
+  }
   log("mission", to_json(mission));
   report_("mission", {{"arcs", mission.arcs.size()}, {"tasks", agent_->tasks().tasks.size()}});
   for (const std::string& warning : agent_->tasks().warnings)
@@ -130,6 +152,7 @@ void AgentProcess::handle(const Mission& mission) {
 void AgentProcess::handle(const ControlMessage& control) {
   if (!mission_ || control.mission_digest != mission_digest_) return;  // another mission's
   log("control", {{"command", static_cast<int>(control.command)}, {"reason", control.reason}});
+  ended_by_ = "coordinator";
   done_ = control.command == Command::complete ? Exit::done : Exit::check_failed;
 }
 
@@ -195,7 +218,10 @@ void AgentProcess::carry_out(Update& update) {
   if (update.agreed) log("agreed", to_json(*update.agreed));
   // What others will act on must be on record before they can.
   if (log_ && (update.agreed || !update.bids.empty())) log_->commit();
-  for (const auto& bid : update.bids) bus_.publish(bid);
+  for (const auto& bid : update.bids) {
+    bus_.publish(bid);
+    if (malformer_) malformer_->said(bid);
+  }
   for (const auto& relay : update.relays) bus_.publish(relay);
   for (const auto& status : update.statuses) bus_.publish(status);
   if (update.refused) refuse(*update.refused);

@@ -30,7 +30,7 @@ struct ProcessFault {
 std::string in_words(const ProcessFault& fault);
 
 /// What a schedule asks of the launcher, in the order of time. Faults of links, clocks and messages
-/// are the agents' own affair.
+/// are the agents' own affair, but for the time that it takes to say what is malformed.
 class FaultScript {
  public:
   explicit FaultScript(const FaultSchedule& schedule);
@@ -41,9 +41,10 @@ class FaultScript {
   bool next(TimeNs now_ns, ProcessFault& fault);
   /// Whether the process will be started (again) by a fault still to come.
   bool returns(AgentId agent) const;
-  /// When the fleet can be done at the earliest: what was done to processes must have happened, and
-  /// the death of one that stays away must have been noticed.
-  TimeNs over_ns(TimeNs lease_ns) const;
+  /// When the fleet can be done at the earliest: what was done to processes must have happened,
+  /// what is malformed must have been said, and the death of one that stays away must have been
+  /// noticed. `lease_ns`, `tick_ns`: the auction's.
+  TimeNs over_ns(TimeNs lease_ns, TimeNs tick_ns) const;
 
  private:
   std::vector<ProcessFault> faults_;  // ascending time
@@ -51,3 +52,4 @@ class FaultScript {
 };
 
 }  // namespace arcbid
+  std::vector<AgentFault> spoken_;    // malformed messages

@@ -111,9 +111,14 @@ class Run {
     ids_.push_back(id);
   }
 
+  TimeNs faults_over_ns() const {
+    const AuctionSettings& auction = options_.config.auction;
+    return script_.over_ns(auction.lease_ns, auction.tick_ns);
+  }
+
   void start_coordinator() {
-    const TimeNs over_ns = script_.over_ns(options_.config.auction.lease_ns);
-    start({0}, "coordinator", "arcbid-coordinator", {"--not-before-ns", std::to_string(over_ns)});
+    start({0}, "coordinator", "arcbid-coordinator",
+          {"--not-before-ns", std::to_string(faults_over_ns())});
   }
 
   void start_agent(AgentId agent, const std::string& name) {
@@ -269,7 +274,7 @@ class Run {
     } else if (!an_agent_runs() && !monitor_.outcome() && !monitor_.given_up()) {
       stop("no agent is left: the mission cannot be done");
     } else if (coordinator_loss_told_ && (monitor_.complete() || monitor_.outcome()) &&
-               monotonic_ns() - epoch_ns_ >= script_.over_ns(options_.config.auction.lease_ns)) {
+               monotonic_ns() - epoch_ns_ >= faults_over_ns()) {
       stop("");  // without a coordinator nobody else tells the agents that all is done
     }
     if (stopping_since_s_ && now_s() - *stopping_since_s_ > kFarewellS)

@@ -85,7 +85,10 @@ std::uint32_t World::matched_peers(const Life& life) const {
 }
 
 void World::wake(Life& life) {
-  if (life.malformed_left > 0 && life.said) say_something_bad(life);
+  if (life.said) {
+    for (Spoiling& spoiling : life.spoilings) say_something_bad(life, spoiling);
+    std::erase_if(life.spoilings, [](const Spoiling& spoiling) { return spoiling.left == 0; });
+  }
   if (!life.is_routed) {
     life.is_routed = true;
     step(life, {clock_ns(life.agent), RoutePublished{life.proof->view_hash}});
