@@ -46,7 +46,7 @@ WorldResult World::run() {
 /// The earliest of: an act of the script, a message's arrival, an agent's wish to be woken. Of one
 /// time, in this order: a tick comes when all that has arrived was heard.
 bool World::next() {
-  if (has_agreed() || now_ns_ > deadline_ns()) return false;
+  if (has_agreed() || now_ns_ > deadline_ns() || result_.steps >= most_steps()) return false;
   const TimeNs act_ns = acts_done_ < script_.size() ? script_[acts_done_].at_ns : INT64_MAX;
   const TimeNs arrival_ns = network_.empty() ? INT64_MAX : network_.next_ns();
   Life* const sleeper = first_to_wake();

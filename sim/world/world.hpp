@@ -73,10 +73,13 @@ class World {
   bool has_agreed();
   TimeNs deadline_ns() const;
   TimeNs bound_ns() const;
+  TimeNs bound_ns(std::size_t diameter) const;
+  std::uint64_t most_steps() const;
   std::vector<Component> living_components() const;
   void check_outcome(const std::vector<Component>& components);
   std::vector<Bidder> bidders(const Component& component) const;
   const Life& life_of(std::size_t agent) const;
+  void tell_that_it_does_not_end();
   WorldResult result();
 
   template <class... T>

@@ -25,6 +25,7 @@ TEST(Worlds, TwoThousandOfEveryKindPass) {
   std::uint64_t worlds = 0;
   run_batch(settings, 1, 2000, 2, [&](const PricedResult& result) {
     EXPECT_TRUE(result.world.agreed && result.world.violations.empty()) << text(result.world);
+    EXPECT_LT(20 * result.world.steps, result.world.most_steps) << "seed " << result.world.seed;
     return ++worlds < 2000;
   });
   EXPECT_EQ(worlds, 2000u);
@@ -76,3 +77,20 @@ TEST(Worlds, LoseNothingWithoutFaults) {
 
 }  // namespace
 }  // namespace arcbid::testing
+/// A lease of a nanosecond: everybody says that it lives at every moment there is.
+TEST(Worlds, EndThoughAgentsTalkEndlesslyAndAreSaidNotToRest) {
+  WorldSettings settings = load_worlds(configs / "sim.yaml");
+  settings.agents = settings.tasks = {2, 2};
+  WorldSpec spec = without_faults(make_world(settings, 1));
+  ASSERT_TRUE(run_world(spec).agreed);
+  spec.mission.auction.lease_ns = 1;
+  const WorldResult result = run_world(spec);
+  EXPECT_FALSE(result.agreed);
+  ASSERT_EQ(result.violations.size(), 1u);
+  EXPECT_EQ(result.violations[0].checker, "liveness");
+  EXPECT_EQ(result.violations[0].what, fmt::format("no end after {} steps, the most that this "
+                                                   "world may take",
+                                                   result.most_steps));
+  EXPECT_LT(result.agreed_ns, 1'000'000) << "virtual time alone would not have ended it";
+}
+
