@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/ids.hpp"
@@ -18,6 +20,12 @@ enum class ProcessAction : std::uint8_t {
   start_twin,  ///< a second process with the same id
   kill_twin,
 };
+/// Their names in result.json, in the order of the enumerators.
+inline constexpr std::array<std::string_view, 6> process_action_names{
+    "kill", "start", "pause", "resume", "start_twin", "kill_twin"};
+constexpr std::string_view name_of(ProcessAction action) {
+  return process_action_names[static_cast<std::size_t>(action)];
+}
 
 /// One thing that the launcher does to a process. Agent 0: the coordinator.
 struct ProcessFault {
@@ -48,8 +56,8 @@ class FaultScript {
 
  private:
   std::vector<ProcessFault> faults_;  // ascending time
+  std::vector<AgentFault> spoken_;    // malformed messages
   std::size_t done_ = 0;
 };
 
 }  // namespace arcbid
-  std::vector<AgentFault> spoken_;    // malformed messages

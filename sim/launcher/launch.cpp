@@ -145,7 +145,10 @@ class Run {
     ProcessFault fault;
     while (!stopping_since_s_ && script_.next(monotonic_ns() - epoch_ns_, fault)) {
       console_.line(now_s(), "fault: " + in_words(fault));
-      acted_.push_back({{"time_s", now_s()}, {"fault", in_words(fault)}});
+      acted_.push_back({{"time_s", now_s()},
+                        {"agent", fault.agent.value},
+                        {"action", name_of(fault.action)},
+                        {"fault", in_words(fault)}});
       act(fault);
     }
   }

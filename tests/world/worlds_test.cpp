@@ -23,7 +23,7 @@ TEST(Worlds, TwoThousandOfEveryKindPass) {
   WorldSettings settings = load_worlds(configs / "sim.yaml");
   settings.price = false;
   std::uint64_t worlds = 0;
-  run_batch(settings, 1, 2000, 2, [&](const PricedResult& result) {
+  run_batch(worlds_of(settings), 1, 2000, 2, [&](const PricedResult& result) {
     EXPECT_TRUE(result.world.agreed && result.world.violations.empty()) << text(result.world);
     EXPECT_LT(20 * result.world.steps, result.world.most_steps) << "seed " << result.world.seed;
     return ++worlds < 2000;
@@ -35,7 +35,7 @@ TEST(Worlds, RepeatBitForBitWhateverTheNumberOfThreads) {
   const WorldSettings settings = load_worlds(configs / "sim.yaml");
   const auto digests = [&](unsigned jobs) {
     std::vector<std::uint64_t> out;
-    run_batch(settings, 500, 560, jobs, [&](const PricedResult& result) {
+    run_batch(worlds_of(settings), 500, 560, jobs, [&](const PricedResult& result) {
       out.push_back(result.world.digest);
       out.push_back(result.fault_free->digest);
       return true;
@@ -49,7 +49,25 @@ TEST(Worlds, RepeatBitForBitWhateverTheNumberOfThreads) {
 
 TEST(Worlds, DifferByTheirSeeds) {
   const WorldSettings settings = load_worlds(configs / "sim.yaml");
-  EXPECT_NE(run_priced(settings, 1).world.digest, run_priced(settings, 2).world.digest);
+  EXPECT_NE(run_priced(worlds_of(settings), 1).world.digest,
+            run_priced(worlds_of(settings), 2).world.digest);
+}
+
+/// On a ring whose links had clogged, agents changed their tables at every tick, were never relayed
+/// for it, and so never came to rest.
+TEST(Worlds, RestUnderRebuildingCbbaThoughEverybodyTalksAllTheTime) {
+  WorldSettings settings;
+  settings.agents = {4, 5};
+  settings.tasks = {12, 40};
+  settings.policies = {PolicyKind::cbba_rebuild};
+  settings.scores = {ScoreKind::discounted_append};
+  settings.topologies = {TopologyKind::ring};
+  settings.layouts = {Layout::clustered, Layout::scattered};
+  settings.odds[static_cast<std::size_t>(WorldFault::clog)] = 1;
+  for (const std::uint64_t seed : {195, 330, 431, 621, 703, 1009, 1035, 1085, 1097, 1151}) {
+    const WorldResult result = run_world(make_world(settings, seed));
+    EXPECT_TRUE(result.agreed) << text(result);
+  }
 }
 
 TEST(Worlds, DoNotPassWhereBidsAreNotWarped) {
@@ -59,7 +77,7 @@ TEST(Worlds, DoNotPassWhereBidsAreNotWarped) {
   settings.odds = {};
   settings.price = false;
   std::uint64_t cycling = 0;
-  run_batch(settings, 1, 600, 2, [&](const PricedResult& result) {
+  run_batch(worlds_of(settings), 1, 600, 2, [&](const PricedResult& result) {
     cycling += !result.world.agreed;
     return cycling == 0;
   });
@@ -83,6 +101,17 @@ TEST(Worlds, EndThoughAgentsTalkEndlesslyAndAreSaidNotToRest) {
   settings.agents = settings.tasks = {2, 2};
   WorldSpec spec = without_faults(make_world(settings, 1));
   ASSERT_TRUE(run_world(spec).agreed);
+TEST(Worlds, LoseNothingWithoutFaults) {
+  WorldSettings settings = load_worlds(configs / "sim.yaml");
+  const PricedResult result = run_priced(worlds_of(settings), 7);
+  ASSERT_TRUE(result.fault_free);
+  EXPECT_TRUE(result.fault_free->agreed);
+  EXPECT_EQ(result.fault_free->refused, 0u);
+  EXPECT_EQ(result.fault_free->calm_ns, 0);
+}
+
+}  // namespace
+}  // namespace arcbid::testing
   spec.mission.auction.lease_ns = 1;
   const WorldResult result = run_world(spec);
   EXPECT_FALSE(result.agreed);
