@@ -32,8 +32,8 @@ class Dissemination {
   void holds(std::size_t member, const Heartbeat& stamp, bool whole,
              const std::vector<Holding>& holdings);
   /// `member` is silent: nobody is served on its account until it is heard again. Somebody who is
-  /// dead to this agent and still heard is served: after a partition each side has buried the other,
-  /// and neither would begin.
+  /// dead to this agent and still heard is served: after a partition each side has buried the
+  /// other, and neither would begin.
   void forget(std::size_t member);
   /// The view has a new statement of `member`.
   void learnt(std::size_t member, TimeNs now);
@@ -52,7 +52,8 @@ class Dissemination {
   Timing timing_;
   std::vector<Heartbeat> stamps_;
   std::vector<std::vector<StatementKey>> known_;  // by member; empty: never heard
-  std::vector<TimeNs> learnt_ns_;
+  std::vector<TimeNs> learnt_ns_;  // the newest statement, or the first that waits to be passed on
+  std::vector<bool> is_awaited_;   // somebody lacked it when that was last asked
   std::vector<std::optional<TimeNs>> said_ns_;  // when its newest statement was last sent from here
 };
 

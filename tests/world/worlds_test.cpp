@@ -84,34 +84,12 @@ TEST(Worlds, DoNotPassWhereBidsAreNotWarped) {
   EXPECT_GT(cycling, 0u) << "insertion without warping is known to cycle";
 }
 
-TEST(Worlds, LoseNothingWithoutFaults) {
-  WorldSettings settings = load_worlds(configs / "sim.yaml");
-  const PricedResult result = run_priced(settings, 7);
-  ASSERT_TRUE(result.fault_free);
-  EXPECT_TRUE(result.fault_free->agreed);
-  EXPECT_EQ(result.fault_free->refused, 0u);
-  EXPECT_EQ(result.fault_free->calm_ns, 0);
-}
-
-}  // namespace
-}  // namespace arcbid::testing
 /// A lease of a nanosecond: everybody says that it lives at every moment there is.
 TEST(Worlds, EndThoughAgentsTalkEndlesslyAndAreSaidNotToRest) {
   WorldSettings settings = load_worlds(configs / "sim.yaml");
   settings.agents = settings.tasks = {2, 2};
   WorldSpec spec = without_faults(make_world(settings, 1));
   ASSERT_TRUE(run_world(spec).agreed);
-TEST(Worlds, LoseNothingWithoutFaults) {
-  WorldSettings settings = load_worlds(configs / "sim.yaml");
-  const PricedResult result = run_priced(worlds_of(settings), 7);
-  ASSERT_TRUE(result.fault_free);
-  EXPECT_TRUE(result.fault_free->agreed);
-  EXPECT_EQ(result.fault_free->refused, 0u);
-  EXPECT_EQ(result.fault_free->calm_ns, 0);
-}
-
-}  // namespace
-}  // namespace arcbid::testing
   spec.mission.auction.lease_ns = 1;
   const WorldResult result = run_world(spec);
   EXPECT_FALSE(result.agreed);
@@ -123,3 +101,14 @@ TEST(Worlds, LoseNothingWithoutFaults) {
   EXPECT_LT(result.agreed_ns, 1'000'000) << "virtual time alone would not have ended it";
 }
 
+TEST(Worlds, LoseNothingWithoutFaults) {
+  WorldSettings settings = load_worlds(configs / "sim.yaml");
+  const PricedResult result = run_priced(worlds_of(settings), 7);
+  ASSERT_TRUE(result.fault_free);
+  EXPECT_TRUE(result.fault_free->agreed);
+  EXPECT_EQ(result.fault_free->refused, 0u);
+  EXPECT_EQ(result.fault_free->calm_ns, 0);
+}
+
+}  // namespace
+}  // namespace arcbid::testing
