@@ -53,7 +53,7 @@ TEST(LiveWorld, RefusesARunThatNobodySurvived) {
                               "agents: [{agent: 1, crash: {at_s: 4}}, {agent: 2, crash: {at_s: 4}},"
                               " {agent: 3, crash: {at_s: 4}}, {agent: 4, crash: {at_s: 4}}]"),
                  "--out", (scratch / "run").string()});
-  EXPECT_EQ(live.wait_for_end(60), 1) << live.output();
+  ASSERT_TRUE(live.wait_for_end(60)) << live.output();
   Launched sim({"sim", "--run", (scratch / "run").string()});
   EXPECT_EQ(sim.wait_for_end(20), 2);
   EXPECT_THAT(sim.output(), HasSubstr("nobody was alive at the end of this run"));
