@@ -89,9 +89,10 @@ HostedAgent::HostedAgent(AgentOptions options, SharedBus& bus)
 
 void HostedAgent::turn() {
   for (const Received& received : bus_.take(options_.id)) {
-    if (done_) return;
+    if (done_) break;
     std::visit([this](const auto& message) { handle(message); }, received);
   }
+  if (done_) return;
   hear_what_is_due();
   if (clock_ns() >= wake_ns_) {
     if (agent_)
@@ -99,6 +100,7 @@ void HostedAgent::turn() {
     else
       ask_for_mission();
   }
+  say_what_is_malformed();
   fly_if_planned();
   write_if_due();
   report_traffic(false);
@@ -106,7 +108,7 @@ void HostedAgent::turn() {
 
 void HostedAgent::finish() {
   report_traffic(true);
-  log("end", {{"by", done_ ? "coordinator" : "signal"}});
+  log("end", {{"by", ended_by_}});
 }
 
 TimeNs HostedAgent::clock_ns() const {
@@ -116,6 +118,7 @@ TimeNs HostedAgent::clock_ns() const {
 TimeNs HostedAgent::wait_ns() const {
   TimeNs wait = wake_ns_ - clock_ns();
   if (links_ && links_->next_ns()) wait = std::min(wait, *links_->next_ns() - now_ns());
+  if (malformer_ && malformer_->next_ns()) wait = std::min(wait, *malformer_->next_ns() - now_ns());
   if (!unwritten_.empty())
     wait = std::min(wait, unwritten_.front().at_ns + write_interval_ns - now_ns());
   return std::max<TimeNs>(wait, 0);
@@ -125,6 +128,22 @@ void HostedAgent::hear_what_is_due() {
   if (!links_) return;
   for (const AgentMessage& message : links_->due(now_ns()))
     std::visit([this](const auto& m) { step({clock_ns(), m}); }, message);
+}
+
+/// What the fault schedule makes this agent say. The auction knows nothing of it.
+void HostedAgent::say_what_is_malformed() {
+  if (!malformer_) return;
+  const Malformer::Speech speech = malformer_->due(now_ns());
+  for (const auto& [how, message] : speech.messages) {
+    log("sent_malformed", {{"what", name_of(how)}, {"message", to_json(message)}});
+    bus_.publish(options_.id, message);
+  }
+  if (!speech.ends) return;
+  report_("warning", {{"text", fmt::format("agent {} bids far above everybody for every task and "
+                                           "ends: fault over_bid",
+                                           options_.id.value)}});
+  ended_by_ = "fault";
+  done_ = Exit::check_failed;
 }
 
 /// Until the mission is here, status messages say so, and the coordinator sends it again.
@@ -164,6 +183,8 @@ void HostedAgent::handle(const Mission& mission) {
 /// Where the agents are is only known with the mission.
 void HostedAgent::install_faults() {
   if (!options_.faults) return;
+  malformer_.emplace(*options_.faults, options_.id, agent_->tasks().tasks.size(),
+                     mission_->auction.tick_ns);
   if (options_.fault_tier == FaultTier::packets)
     bus_.set_packet_faults(*options_.faults, mission_->fleet, options_.epoch_ns);
   else
@@ -173,6 +194,7 @@ void HostedAgent::install_faults() {
 void HostedAgent::handle(const ControlMessage& control) {
   if (!mission_ || control.mission_digest != mission_digest_) return;  // another mission's
   log("control", {{"command", static_cast<int>(control.command)}, {"reason", control.reason}});
+  ended_by_ = "coordinator";
   done_ = control.command == Command::complete ? Exit::done : Exit::check_failed;
 }
 
@@ -257,7 +279,10 @@ void HostedAgent::carry_out(Update& update) {
   for (const auto& m : update.relays) record(m);
   for (const auto& m : update.statuses) record(m);
   if (update.agreed) record(*update.agreed);
-  for (const auto& bid : update.bids) bus_.publish(options_.id, bid);
+  for (const auto& bid : update.bids) {
+    bus_.publish(options_.id, bid);
+    if (malformer_) malformer_->said(bid);
+  }
   for (const auto& relay : update.relays) bus_.publish(options_.id, relay);
   for (const auto& status : update.statuses) bus_.publish(options_.id, status);
   if (update.refused) refuse(*update.refused);

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "agent/faulty_links.hpp"
+#include "agent/malformer.hpp"
 #include "agent/shared_bus.hpp"
 #include "core/auction/agent.hpp"
 #include "core/faults/schedule.hpp"
@@ -52,6 +53,7 @@ class HostedAgent {
   void step(Event event);
   void install_faults();
   void hear_what_is_due();
+  void say_what_is_malformed();
   void report_links(bool last);
   void release(const std::vector<AgentId>& dead);
   /// What this agent's own clock shows: the auction knows no other.
@@ -81,6 +83,7 @@ class HostedAgent {
   std::shared_ptr<const Transit> transit_;
   std::unique_ptr<Agent> agent_;      // once the mission is known
   std::optional<FaultyLinks> links_;  // likewise, when there are faults of messages
+  std::optional<Malformer> malformer_;  // likewise, when there are faults
   std::uint64_t mission_digest_ = 0;
   std::vector<Belief> winners_;  // as of the last decision: what the dead had won
   // A tour may take longer than a lease: it is planned beside the loop, which goes on saying that
@@ -103,6 +106,7 @@ class HostedAgent {
   int elder_messages_ = 0;      // of a process with this id that has said more
   std::uint64_t sequence_ = 0;  // of status messages before the mission
   std::optional<Exit> done_;
+  std::string_view ended_by_ = "signal";
 };
 
 }  // namespace arcbid

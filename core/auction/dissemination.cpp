@@ -14,10 +14,13 @@ Dissemination::Dissemination(std::size_t members, std::size_t self, Timing timin
       stamps_(members),
       known_(members),
       learnt_ns_(members),
+      is_awaited_(members),
       said_ns_(members) {}
 
+/// Who says something new at every tick must be passed on too: where the statement before this one
+/// still waits for that, patience does not begin anew.
 void Dissemination::learnt(std::size_t member, TimeNs now) {
-  learnt_ns_[member] = now;
+  if (said_ns_[member] || !is_awaited_[member]) learnt_ns_[member] = now;
   said_ns_[member].reset();
 }
 
@@ -48,7 +51,7 @@ bool Dissemination::wanted(std::size_t author, const View& view) const {
          known_[author][author] < view.key(author) && !said_ns_[author];
 }
 
-/// From the last try, or else from when the statement was learnt.
+/// From the last try, or else from when the first statement since then was learnt.
 TimeNs Dissemination::wait_ns(std::size_t author, const View& view) const {
   const bool first = !said_ns_[author];
   if (author == self_) return first ? 0 : timing_.resend_ns;
@@ -63,7 +66,8 @@ std::vector<std::size_t> Dissemination::due(const View& view, TimeNs now) {
   std::vector<std::size_t> send;
   for (std::size_t author = 0; author < known_.size(); ++author) {
     const bool news = author == self_ && !said_ns_[author] && view.heard(author);
-    if (!news && !wanted(author, view)) continue;
+    is_awaited_[author] = wanted(author, view);
+    if (!news && !is_awaited_[author]) continue;
     if (now - said_ns_[author].value_or(learnt_ns_[author]) < wait_ns(author, view)) continue;
     said_ns_[author] = now;
     send.push_back(author);

@@ -54,7 +54,8 @@ class Dissemination {
   Timing timing_;
   std::vector<Heartbeat> stamps_;
   std::vector<std::vector<StatementKey>> known_;  // by member; empty: never heard
-  std::vector<TimeNs> learnt_ns_;
+  std::vector<TimeNs> learnt_ns_;  // the newest statement, or the first that waits to be passed on
+  std::vector<bool> is_awaited_;   // somebody lacked it when that was last asked
   std::vector<std::optional<TimeNs>> said_ns_;  // when its newest statement was last sent from here
 };
 

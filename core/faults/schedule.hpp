@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/arcs/arc.hpp"
@@ -119,6 +121,14 @@ enum class Malformation : std::uint8_t {
   over_bid,  ///< legal but false: bids far above anybody's for every task, then silence
   replay,    ///< an old message of its own again
 };
+
+/// Their names in schedules and logs, in the order of the enumerators.
+inline constexpr std::array<std::string_view, 7> malformation_names{
+    "nan_bid",     "unknown_task", "unknown_agent", "wrong_mission",
+    "wrong_tasks", "over_bid",     "replay"};
+constexpr std::string_view name_of(Malformation malformation) {
+  return malformation_names[static_cast<std::size_t>(malformation)];
+}
 
 /// One fault of one agent, or of the coordinator (agent 0: only crash and pause).
 struct AgentFault {

@@ -12,6 +12,8 @@
 #include "core/io/faults/fault_files.hpp"
 #include "core/io/process/process.hpp"
 #include "sim/commands/summary.hpp"
+#include "sim/world/batch.hpp"
+#include "sim/world/live_run.hpp"
 #include "sim/world/settings_file.hpp"
 #include "sim/world/shrink.hpp"
 
@@ -54,13 +56,15 @@ E by_name(const std::array<std::string_view, n>& names, const std::string& name)
 }  // namespace
 
 struct SimCommand::Arguments {
-  std::string config, seeds = "1..1000", json, policy, score, faults;
+  std::string config, run, seeds = "1..1000", json, policy, score, faults;
   std::optional<double> loss;
   std::optional<std::uint32_t> agents, tasks;
   unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
   bool trace = false, shrinks = false;
 
   WorldSettings settings() const;
+  Worlds worlds() const;
+  bool reports_on_output() const { return json != "-"; }
   std::string repeat(std::uint64_t seed) const;
 };
 
@@ -78,9 +82,30 @@ WorldSettings SimCommand::Arguments::settings() const {
   return out;
 }
 
+/// Those of a config, or the one world of a live run, whose messages take other times by the seed.
+Worlds SimCommand::Arguments::worlds() const {
+  if (config.empty() == run.empty())
+    throw InputError("CONFIG or --run RUN: one of the two says which worlds");
+  if (run.empty()) return worlds_of(settings());
+  const LiveRun live = read_run(run);
+  const WorldSpec world = world_of(live, 1);
+  if (reports_on_output()) {
+    for (const std::string& line : live.left_out) fmt::print("left out: {}\n", line);
+    fmt::print("{}: mission {:016x}, digest {:016x}: {}\n", run, world.mission.id,
+               digest(world.mission), summary(world));
+  }
+  return {[world](std::uint64_t seed) {
+            WorldSpec spec = world;
+            spec.seed = seed;
+            return spec;
+          },
+          true};
+}
+
 /// The command line that shows one world again, bit for bit.
 std::string SimCommand::Arguments::repeat(std::uint64_t seed) const {
-  std::string line = fmt::format("arcbid sim {} --seeds {} --trace", config, seed);
+  const std::string& worlds = run.empty() ? config : "--run " + run;
+  std::string line = fmt::format("arcbid sim {} --seeds {} --trace", worlds, seed);
   if (!policy.empty()) line += " --policy " + policy;
   if (!score.empty()) line += " --score " + score;
   if (agents) line += fmt::format(" --agents {}", *agents);
@@ -93,10 +118,11 @@ SimCommand::SimCommand(CLI::App& app) : arguments_(std::make_unique<Arguments>()
   Arguments& a = *arguments_;
   CLI::App* smaller = app.add_subcommand(
       "shrink", "reduce a failing world to the fewest faults, agents and arcs that still fail");
-  smaller->add_option("config", a.config, "YAML file of the worlds")->required();
+  smaller->add_option("config", a.config, "YAML file of the worlds");
+  CLI::Option* failed = smaller->add_option("--run", a.run, "as for sim");
   smaller->add_option("--seed", a.seeds, "the failing world")->required();
-  smaller->add_option("--policy", a.policy, "as for sim");
-  smaller->add_option("--score", a.score, "as for sim");
+  smaller->add_option("--policy", a.policy, "as for sim")->excludes(failed);
+  smaller->add_option("--score", a.score, "as for sim")->excludes(failed);
   smaller->add_option("--faults", a.faults,
                       "write what is left of the fault schedule to this file, "
                       "for arcbid run --faults");
@@ -105,17 +131,23 @@ SimCommand::SimCommand(CLI::App& app) : arguments_(std::make_unique<Arguments>()
       "sim",
       "run seeded worlds in virtual time, everything mixed that can go wrong, and check "
       "every step");
-  sim->add_option("config", a.config, "YAML file, e.g. configs/sim.yaml; docs/SIMULATOR.md")
-      ->required();
+  sim->add_option("config", a.config, "YAML file, e.g. configs/sim.yaml; docs/SIMULATOR.md");
+  CLI::Option* live = sim->add_option(
+      "--run", a.run,
+      "directory of a live run: its mission, and what went wrong in it, when it did");
   sim->add_option("--seeds", a.seeds, "which worlds: SEED or FIRST..LAST");
   sim->add_option("--jobs", a.jobs, "threads")->check(CLI::Range(1, 256));
   sim->add_option("--json", a.json, "write the figures to this file (-: to the output)");
-  sim->add_option("--policy", a.policy, "this policy instead of the config's");
-  sim->add_option("--score", a.score, "this score instead of the config's");
+  sim->add_option("--policy", a.policy, "this policy instead of the config's")->excludes(live);
+  sim->add_option("--score", a.score, "this score instead of the config's")->excludes(live);
   sim->add_option("--agents", a.agents, "fleet size instead of the config's")
+      ->excludes(live)
       ->check(CLI::Range(1, 64));
-  sim->add_option("--tasks", a.tasks, "tasks instead of the config's")->check(CLI::Range(1, 1000));
+  sim->add_option("--tasks", a.tasks, "tasks instead of the config's")
+      ->excludes(live)
+      ->check(CLI::Range(1, 1000));
   sim->add_option("--loss", a.loss, "independent loss on every link instead of the config's faults")
+      ->excludes(live)
       ->check(CLI::Range(0.0, 1.0));
   sim->add_option("--export-faults", a.faults,
                   "write the world's fault schedule to this file, for arcbid run --faults");
@@ -140,7 +172,7 @@ Exit SimCommand::run_shrink() const {
   const Arguments& a = *arguments_;
   const Seeds seeds = seeds_of(a.seeds);
   if (seeds.first != seeds.last) throw InputError("--seed: is one seed");
-  const WorldSpec spec = make_world(a.settings(), seeds.first);
+  const WorldSpec spec = a.worlds().make(seeds.first);
   const WorldResult result = run_world(spec);
   if (result.violations.empty())
     throw InputError(fmt::format("--seed {}: this world has no violation", seeds.first));
@@ -168,12 +200,12 @@ Exit SimCommand::run() const {
   if (shrink_->parsed()) return run_shrink();
   const Arguments& a = *arguments_;
   const Seeds seeds = seeds_of(a.seeds);
-  const WorldSettings settings = a.settings();
   if ((a.trace || !a.faults.empty()) && seeds.first != seeds.last)
     throw InputError("--trace and --export-faults: are for one seed");
-  write_faults(make_world(settings, seeds.first));
+  const Worlds worlds = a.worlds();
+  write_faults(worlds.make(seeds.first));
   if (a.trace) {
-    const WorldSpec spec = make_world(settings, seeds.first);
+    const WorldSpec spec = worlds.make(seeds.first);
     fmt::print("{}\n", summary(spec));
     const WorldResult result =
         run_world(spec, [](const std::string& line) { fmt::print("{}\n", line); });
@@ -183,7 +215,7 @@ Exit SimCommand::run() const {
   const TimeNs start_ns = monotonic_ns();
   const bool terminal = isatty(STDERR_FILENO) != 0;
   const std::uint64_t all = seeds.last - seeds.first + 1;
-  run_batch(settings, seeds.first, seeds.last, a.jobs, [&](const PricedResult& result) {
+  run_batch(worlds, seeds.first, seeds.last, a.jobs, [&](const PricedResult& result) {
     figures.add(result);
     if (!result.world.violations.empty() && figures.violations() <= most_shown) {
       const Violation& first = result.world.violations.front();
@@ -197,7 +229,7 @@ Exit SimCommand::run() const {
   });
   if (terminal) fmt::print(stderr, "\r\033[K");
   const double wall_s = static_cast<double>(monotonic_ns() - start_ns) * 1e-9;
-  if (a.json == "-")
+  if (!a.reports_on_output())
     fmt::print("{}\n", figures.to_json(wall_s).dump(1));
   else
     fmt::print("{}", figures.table(wall_s));

@@ -39,6 +39,7 @@ void SimSummary::add(const PricedResult& result) {
   disagreed_ += w.agreed ? 0 : 1;
   refused_ += w.refused;
   steps_ += w.steps;
+  of_steps_.values.push_back(static_cast<double>(w.steps) / static_cast<double>(w.most_steps));
   if (!w.agreed) return;
   rounds_.values.push_back(w.rounds);
   messages_.values.push_back(static_cast<double>(w.messages));
@@ -70,6 +71,7 @@ json SimSummary::to_json(double wall_s) const {
           {"agreement_s", to_json(agreement_s_)},
           {"agreement_after_calm_s", to_json(after_calm_s_)},
           {"share_of_bound", to_json(of_bound_)},
+          {"share_of_most_steps", to_json(of_steps_)},
           {"makespan_s", to_json(makespan_s_)},
           {"price_of_faults",
            {{"rounds", to_json(price_rounds_)},
@@ -91,6 +93,7 @@ std::string SimSummary::table(double wall_s) const {
   row("agreement, s", agreement_s_);
   row("after the calm, s", after_calm_s_);
   row("share of the bound", of_bound_);
+  row("share of most steps", of_steps_);
   row("makespan, s", makespan_s_);
   row("price: rounds, times", price_rounds_);
   row("price: messages, times", price_messages_);

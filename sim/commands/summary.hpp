@@ -31,7 +31,8 @@ class SimSummary {
   static nlohmann::json to_json(const Figure& figure);
 
   std::uint64_t worlds_ = 0, violations_ = 0, disagreed_ = 0, refused_ = 0, steps_ = 0;
-  Figure rounds_, messages_, kilobytes_, agreement_s_, after_calm_s_, of_bound_, makespan_s_;
+  Figure rounds_, messages_, kilobytes_, agreement_s_, after_calm_s_, of_bound_, of_steps_,
+      makespan_s_;
   Figure price_rounds_, price_messages_, price_makespan_;  // with faults, by without
 };
 

@@ -50,6 +50,8 @@ FaultScript::FaultScript(const FaultSchedule& schedule) {
     } else if (fault.kind == Kind::twin) {
       add(fault.at_ns, fault.agent, ProcessAction::start_twin);
       if (fault.for_ns) add(end_ns, fault.agent, ProcessAction::kill_twin);
+    } else if (fault.kind == Kind::malformed) {
+      spoken_.push_back(fault);
     }
   }
   std::stable_sort(faults_.begin(), faults_.end(),
@@ -74,8 +76,13 @@ bool FaultScript::returns(AgentId agent) const {
       [&](const auto& f) { return f.agent == agent && f.action == ProcessAction::start; });
 }
 
-TimeNs FaultScript::over_ns(TimeNs lease_ns) const {
+TimeNs FaultScript::over_ns(TimeNs lease_ns, TimeNs tick_ns) const {
   TimeNs over = 0;
+  for (const AgentFault& fault : spoken_) {
+    const bool ends = fault.malformation == Malformation::over_bid;
+    const TimeNs said_ns = ends ? lease_ns + settle_ns : static_cast<TimeNs>(fault.count) * tick_ns;
+    over = std::max(over, fault.at_ns + settle_ns + said_ns);
+  }
   for (const ProcessFault& fault : faults_) {
     const bool ends = fault.action == ProcessAction::kill || fault.action == ProcessAction::pause;
     over = std::max(over, fault.at_ns + settle_ns + (ends ? lease_ns + settle_ns : 0));

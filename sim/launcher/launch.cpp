@@ -138,10 +138,14 @@ class Run {
     ids_.push_back(ids);
   }
 
+  TimeNs faults_over_ns() const {
+    const AuctionSettings& auction = options_.config.auction;
+    return script_.over_ns(auction.lease_ns, auction.tick_ns);
+  }
+
   void start_coordinator() {
-    const TimeNs over_ns = script_.over_ns(options_.config.auction.lease_ns);
     start({AgentId{0}}, "coordinator", "arcbid-coordinator",
-          {"--not-before-ns", std::to_string(over_ns)});
+          {"--not-before-ns", std::to_string(faults_over_ns())});
   }
 
   /// The process of one agent, or of several that share it.
@@ -181,7 +185,10 @@ class Run {
     ProcessFault fault;
     while (!stopping_since_s_ && script_.next(monotonic_ns() - epoch_ns_, fault)) {
       console_.line(now_s(), "fault: " + in_words(fault));
-      acted_.push_back({{"time_s", now_s()}, {"fault", in_words(fault)}});
+      acted_.push_back({{"time_s", now_s()},
+                        {"agent", fault.agent.value},
+                        {"action", name_of(fault.action)},
+                        {"fault", in_words(fault)}});
       act(fault);
     }
   }
@@ -310,7 +317,7 @@ class Run {
     } else if (!an_agent_runs() && !monitor_.outcome() && !monitor_.given_up()) {
       stop("no agent is left: the mission cannot be done");
     } else if (coordinator_loss_told_ && (monitor_.complete() || monitor_.outcome()) &&
-               monotonic_ns() - epoch_ns_ >= script_.over_ns(options_.config.auction.lease_ns)) {
+               monotonic_ns() - epoch_ns_ >= faults_over_ns()) {
       stop("");  // without a coordinator nobody else tells the agents that all is done
     }
     if (stopping_since_s_ && now_s() - *stopping_since_s_ > kFarewellS)

@@ -49,20 +49,24 @@ class Batch {
 
 }  // namespace
 
-PricedResult run_priced(const WorldSettings& settings, std::uint64_t seed) {
-  const WorldSpec spec = make_world(settings, seed);
+Worlds worlds_of(const WorldSettings& settings) {
+  return {[settings](std::uint64_t seed) { return make_world(settings, seed); }, settings.price};
+}
+
+PricedResult run_priced(const Worlds& worlds, std::uint64_t seed) {
+  const WorldSpec spec = worlds.make(seed);
   PricedResult result{run_world(spec), std::nullopt};
-  if (settings.price) result.fault_free = run_world(without_faults(spec));
+  if (worlds.price) result.fault_free = run_world(without_faults(spec));
   return result;
 }
 
-void run_batch(const WorldSettings& settings, std::uint64_t first, std::uint64_t last,
-               unsigned jobs, const std::function<bool(const PricedResult&)>& take) {
+void run_batch(const Worlds& worlds, std::uint64_t first, std::uint64_t last, unsigned jobs,
+               const std::function<bool(const PricedResult&)>& take) {
   Batch batch(first, last, take);
   std::vector<std::jthread> threads;
   for (unsigned n = 0; n < jobs; ++n)
     threads.emplace_back([&] {
-      while (const auto seed = batch.next_seed()) batch.done(run_priced(settings, *seed));
+      while (const auto seed = batch.next_seed()) batch.done(run_priced(worlds, *seed));
     });
 }
 

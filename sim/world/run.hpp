@@ -15,8 +15,9 @@ namespace arcbid {
 struct WorldResult {
   std::uint64_t seed = 0;
   bool agreed = false;
-  std::uint32_t rounds = 0;  ///< decisions of the agent that made most, until the agreement
-  std::uint64_t steps = 0;   ///< of all agents
+  std::uint32_t rounds = 0;      ///< decisions of the agent that made most, until the agreement
+  std::uint64_t steps = 0;       ///< of all agents
+  std::uint64_t most_steps = 0;  ///< more are not taken (docs/SIMULATOR.md)
   std::uint64_t messages = 0, bytes = 0;
   std::uint64_t refused = 0;  ///< messages that were refused, as they had to be
   TimeNs agreed_ns = 0;       ///< when the last one of the final agreement proved it
@@ -31,8 +32,9 @@ struct WorldResult {
 using Trace = std::function<void(const std::string&)>;
 
 /// Runs the world until all living agents hold a proof of one and the same agreement and nothing is
-/// to come, or until the bound has passed. Two phases: faults on, whatever they do; then calm, and
-/// agreement within the bound (docs/SIMULATOR.md). Throws nothing; violations are in the result.
+/// to come, or until the bound has passed, or it has taken more steps than any sound world. Two
+/// phases: faults on, whatever they do; then calm, and agreement within the bound
+/// (docs/SIMULATOR.md). Throws nothing; violations are in the result.
 WorldResult run_world(const WorldSpec& spec, const Trace& trace = {});
 
 }  // namespace arcbid

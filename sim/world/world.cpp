@@ -46,7 +46,7 @@ WorldResult World::run() {
 /// The earliest of: an act of the script, a message's arrival, an agent's wish to be woken. Of one
 /// time, in this order: a tick comes when all that has arrived was heard.
 bool World::next() {
-  if (has_agreed() || now_ns_ > deadline_ns()) return false;
+  if (has_agreed() || now_ns_ > deadline_ns() || result_.steps >= most_steps()) return false;
   const TimeNs act_ns = acts_done_ < script_.size() ? script_[acts_done_].at_ns : INT64_MAX;
   const TimeNs arrival_ns = network_.empty() ? INT64_MAX : network_.next_ns();
   Life* const sleeper = first_to_wake();
@@ -85,7 +85,10 @@ std::uint32_t World::matched_peers(const Life& life) const {
 }
 
 void World::wake(Life& life) {
-  if (life.malformed_left > 0 && life.said) say_something_bad(life);
+  if (life.said) {
+    for (Spoiling& spoiling : life.spoilings) say_something_bad(life, spoiling);
+    std::erase_if(life.spoilings, [](const Spoiling& spoiling) { return spoiling.left == 0; });
+  }
   if (!life.is_routed) {
     life.is_routed = true;
     step(life, {clock_ns(life.agent), RoutePublished{life.proof->view_hash}});

@@ -24,6 +24,11 @@ class World {
   WorldResult run();
 
  private:
+  /// Messages still to be spoilt, and how.
+  struct Spoiling {
+    Malformation how = Malformation::nan_bid;
+    std::uint32_t left = 0;
+  };
   /// One process: an agent from its birth to its death.
   struct Life {
     std::size_t agent = 0;  // position in the fleet
@@ -34,12 +39,11 @@ class World {
     bool is_paused = false;
     std::vector<Delivery> inbox;  // what came during a pause
     std::optional<Agreement> proof;
-    bool is_routed = true;                              // the route for the proof was published
-    std::vector<Claim> bundle;                          // as last decided
-    std::optional<BidMessage> said;                     // the last statement sent
-    std::vector<BidMessage> history;                    // the first ones, to be replayed
-    std::uint32_t malformed_left = 0;                   // messages still to be spoilt ...
-    Malformation malformation = Malformation::nan_bid;  // ... and how
+    bool is_routed = true;            // the route for the proof was published
+    std::vector<Claim> bundle;        // as last decided
+    std::optional<BidMessage> said;   // the last statement sent
+    std::vector<BidMessage> history;  // the first ones, to be replayed
+    std::vector<Spoiling> spoilings;  // begun, and not yet all said
   };
 
   // world.cpp: what happens next
@@ -62,17 +66,20 @@ class World {
   void stop(std::size_t agent, bool twins);
   void resume(std::size_t agent);
   void bid_over(const Act& act);
-  void say_something_bad(Life& life);
+  void say_something_bad(Life& life, Spoiling& spoiling);
   std::vector<Life*> lives_of(std::size_t agent);
 
   // world_end.cpp: whether it is over, and what came of it
   bool has_agreed();
   TimeNs deadline_ns() const;
   TimeNs bound_ns() const;
+  TimeNs bound_ns(std::size_t diameter) const;
+  std::uint64_t most_steps() const;
   std::vector<Component> living_components() const;
   void check_outcome(const std::vector<Component>& components);
   std::vector<Bidder> bidders(const Component& component) const;
   const Life& life_of(std::size_t agent) const;
+  void tell_that_it_does_not_end();
   WorldResult result();
 
   template <class... T>

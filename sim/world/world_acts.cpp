@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "sim/world/malform.hpp"
+#include "core/faults/malform.hpp"
 #include "sim/world/world.hpp"
 
 namespace arcbid {
@@ -32,7 +32,7 @@ void World::act(const Act& act) {
       return stop(act.agent, true);
     case Act::Kind::malform:
       for (Life* life : lives_of(act.agent))
-        life->malformed_left = act.count, life->malformation = act.malformation;
+        life->spoilings.push_back({act.malformation, act.count});
       return;
     case Act::Kind::over_bid:
       return bid_over(act);
@@ -90,15 +90,15 @@ void World::bid_over(const Act& act) {
   stop(act.agent, false);
 }
 
-void World::say_something_bad(Life& life) {
-  --life.malformed_left;
-  if (life.malformation == Malformation::replay) {
-    network_.broadcast(life.agent, life.number,
-                       life.history[life.malformed_left % life.history.size()], now_ns_);
+void World::say_something_bad(Life& life, Spoiling& spoiling) {
+  --spoiling.left;
+  if (spoiling.how == Malformation::replay) {
+    network_.broadcast(life.agent, life.number, life.history[spoiling.left % life.history.size()],
+                       now_ns_);
     return;
   }
-  network_.broadcast(life.agent, life.number,
-                     malformed(*life.said, life.malformation, pieces_.size()), now_ns_, true);
+  network_.broadcast(life.agent, life.number, malformed(*life.said, spoiling.how, pieces_.size()),
+                     now_ns_, true);
 }
 
 }  // namespace arcbid

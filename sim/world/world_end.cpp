@@ -10,7 +10,9 @@ namespace arcbid {
 namespace {
 
 // docs/SIMULATOR.md, "The bound".
-constexpr std::size_t hop_ticks = 17;    // patience of a relay, its spread, and the next decision
+constexpr std::size_t hop_ticks = 17;  // patience of a relay, its spread, and the next decision
+constexpr TimeNs least_tick_ns = 1'000'000;
+constexpr std::uint64_t copies = 3;      // of a message: doubled, or stale
 constexpr std::size_t extra_rounds = 3;  // a refutation there, its answer back, and the proof
 
 }  // namespace
@@ -63,12 +65,27 @@ TimeNs World::bound_ns() const {
   std::size_t diameter = 1;
   for (const Component& component : living_components())
     diameter = std::max(diameter, component.diameter);
+  return bound_ns(diameter);
+}
+
+TimeNs World::bound_ns(std::size_t diameter) const {
   const AuctionSettings& auction = spec_.mission.auction;
   const std::size_t tasks = pieces_.size();
   const std::size_t most = auction.bundle_limit > 0 ? lives_.size() * auction.bundle_limit : tasks;
   const auto rounds = static_cast<TimeNs>(diameter * (std::min(tasks, most) + extra_rounds));
   return auction.barrier_ns + auction.lease_ns * static_cast<TimeNs>(8 + diameter) / 4 +
          static_cast<TimeNs>(hop_ticks) * rounds * auction.tick_ns;
+}
+
+/// A core that says endlessly much at one moment would keep its world from its end. No sound one
+/// gets here: in every tick of the longest world each life wakes once and says a bid, a status and
+/// a relay for everybody else, and all of it reaches everybody in three copies.
+std::uint64_t World::most_steps() const {
+  const std::uint64_t lives = script_.size();  // every life has an act: its start
+  const TimeNs tick_ns = std::max<TimeNs>(spec_.mission.auction.tick_ns, least_tick_ns);
+  const TimeNs longest_ns = std::max(calm_ns_, network_.last_arrival_ns()) + bound_ns(lives);
+  const auto ticks = static_cast<std::uint64_t>(longest_ns / tick_ns) + 1;
+  return ticks * lives * (1 + copies * (lives + 2) * lives);
 }
 
 std::vector<Bidder> World::bidders(const Component& component) const {
@@ -104,6 +121,16 @@ void World::check_outcome(const std::vector<Component>& components) {
   }
 }
 
+void World::tell_that_it_does_not_end() {
+  if (result_.steps >= result_.most_steps)
+    checkers_.findings.add(now_ns_, "liveness",
+                           "no end after {} steps, the most that this world may take",
+                           result_.most_steps);
+  else
+    checkers_.findings.add(now_ns_, "liveness", "no agreement within {} ms of the calm",
+                           result_.bound_ns / 1'000'000);
+}
+
 WorldResult World::result() {
   const std::vector<Component> components = living_components();
   result_.seed = spec_.seed;
@@ -114,11 +141,11 @@ WorldResult World::result() {
   result_.bound_ns = bound_ns_;
   for (const Life& life : lives_)
     if (life.proof) result_.rounds = std::max(result_.rounds, life.proof->round);
+  result_.most_steps = most_steps();
   if (result_.agreed)
     check_outcome(components);
   else if (checkers_.findings.found().empty())
-    checkers_.findings.add(now_ns_, "liveness", "no agreement within {} ms of the calm",
-                           result_.bound_ns / 1'000'000);
+    tell_that_it_does_not_end();
   result_.digest = digest_.add(result_.messages).add(result_.bytes).value();
   result_.violations = checkers_.findings.found();
   for (const Violation& v : result_.violations)

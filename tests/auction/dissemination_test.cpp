@@ -70,6 +70,27 @@ TEST_F(DisseminationTest, SaysANewStatementAtOnceWhateverWasSaidBefore) {
   EXPECT_THAT(due(1), ElementsAre(self));
 }
 
+TEST_F(DisseminationTest, RelaysWhoeverSaysSomethingNewAllTheTime) {
+  std::vector<TimeNs> relayed;
+  for (std::uint32_t version = 1; version <= 50; ++version) {
+    const TimeNs now = version * timing.patience_ns / 10;
+    learn(second, {7, false, version}, now);
+    confirms(third, version, {second});
+    if (!due(now).empty()) relayed.push_back(now);
+  }
+  ASSERT_GE(relayed.size(), 2u);
+  EXPECT_GE(relayed[1] - relayed[0], timing.patience_ns) << "patience anew";
+}
+
+TEST_F(DisseminationTest, BeginsItsPatienceAnewWhereNobodyLackedTheStatementBefore) {
+  learn(second, first, 0);
+  confirms(third, 1);
+  EXPECT_THAT(due(1), IsEmpty());
+  learn(second, later, 1000);
+  confirms(third, 2, {second});
+  EXPECT_THAT(due(1000 + timing.patience_ns - 1), IsEmpty()) << "its author comes first";
+}
+
 TEST_F(DisseminationTest, RelaysOnlyAfterPatience) {
   learn(second, first, 500);
   confirms(third, 1, {second});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Live processes under fault schedules.
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 #include <sqlite3.h>
 
 #include <algorithm>
@@ -161,6 +161,48 @@ std::set<std::string> messages(const std::filesystem::path& run, const std::stri
 std::size_t in_both(const std::set<std::string>& a, const std::set<std::string>& b) {
   return static_cast<std::size_t>(
       std::count_if(a.begin(), a.end(), [&](const std::string& one) { return b.contains(one); }));
+}
+
+/// The reasons of all refusals in an agent's logs.
+std::vector<std::string> refusals(const std::filesystem::path& run, const std::string& agent) {
+  std::vector<std::string> out;
+  for (const auto& entry : std::filesystem::directory_iterator(run / "logs")) {
+    const std::string name = entry.path().filename();
+    if (!name.starts_with(agent + ".") || entry.path().extension() != ".sqlite") continue;
+    sqlite3* db = nullptr;
+    sqlite3_stmt* rows = nullptr;
+    EXPECT_EQ(sqlite3_open_v2(entry.path().c_str(), &db, SQLITE_OPEN_READONLY, nullptr), SQLITE_OK);
+    sqlite3_prepare_v2(db, "SELECT body->>'reason' FROM events WHERE kind = 'refused'", -1, &rows,
+                       nullptr);
+    while (sqlite3_step(rows) == SQLITE_ROW)
+      out.emplace_back(reinterpret_cast<const char*>(sqlite3_column_text(rows, 0)));
+    sqlite3_finalize(rows);
+    sqlite3_close(db);
+  }
+  return out;
+}
+
+TEST(MalformedFaults, AreRefusedByEverybodyWithTheirReasonsAndChangeNothing) {
+  Flight run;
+  run_under("malformed", run);
+  expect_checked(run.result, 4);
+  for (const std::string agent : {"agent_1", "agent_2", "agent_3"}) {
+    SCOPED_TRACE(agent);
+    const std::vector<std::string> reasons = refusals(run.scratch / "run", agent);
+    for (const char* reason : {"nan is not allowed", "is outside [0, ", "9999 is not of the fleet",
+                               "flies mission", "split the arcs differently"})
+      EXPECT_THAT(reasons, ::testing::Contains(::testing::HasSubstr(reason)));
+  }
+  EXPECT_THAT(refusals(run.scratch / "run", "agent_4"), ::testing::IsEmpty());
+  EXPECT_GE(run.result["messages"]["dropped"], 15) << "five kinds, three receivers";
+}
+
+TEST(MalformedFaults, AnOverBidderEndsAndTheOthersTakeOverItsArcs) {
+  Flight run;
+  run_under("over_bidder", run, many_rounds(run.scratch));
+  expect_checked(run.result, 3);
+  EXPECT_TRUE(says(run, "agent 4 bids far above everybody")) << run.output;
+  EXPECT_TRUE(says(run, "agent 4 ended with exit code 1: the others take over")) << run.output;
 }
 
 TEST(LinkFaults, DropTheSameMessagesInEveryRun) {

@@ -68,9 +68,19 @@ TEST(FaultScript, KnowsWhoComesLate) {
 
 TEST(FaultScript, IsOverWhenADeathMustHaveBeenNoticed) {
   FaultSchedule schedule;
-  EXPECT_EQ(FaultScript(schedule).over_ns(second), 0);
+  EXPECT_EQ(FaultScript(schedule).over_ns(second, 1), 0);
   schedule.agents = {fault(2, AgentFaultKind::crash, 3)};
-  EXPECT_GT(FaultScript(schedule).over_ns(2 * second), 5 * second);
+  EXPECT_GT(FaultScript(schedule).over_ns(2 * second, 1), 5 * second);
+}
+
+TEST(FaultScript, IsOverWhenAllThatIsMalformedWasSaid) {
+  FaultSchedule schedule;
+  schedule.agents = {fault(2, AgentFaultKind::malformed, 3)};
+  schedule.agents[0].count = 100;
+  EXPECT_GT(FaultScript(schedule).over_ns(0, second / 10), 13 * second);
+  EXPECT_LT(FaultScript(schedule).over_ns(60 * second, second / 10), 15 * second);
+  schedule.agents[0].malformation = Malformation::over_bid;
+  EXPECT_GT(FaultScript(schedule).over_ns(60 * second, 0), 63 * second) << "its death is noticed";
 }
 
 nlohmann::json links_event(int from, int sent, int dropped) {

@@ -200,5 +200,20 @@ TEST_F(OutcomeTest, MustBeSplitAsTheCheckersCut) {
   EXPECT_GT(findings_of(set.tasks), 0u);
 }
 
+TEST(Cut, IsThatOfTheAuctionOnBentArcsWithoutAPieceLengthAndAboveTheLimitOfTasks) {
+  Mission mission = small_mission();
+  std::vector<Waypoint>& bent = mission.arcs[1].waypoints;
+  bent = {bent[0], {Vec3(50, 7, 0), Vec3::UnitZ()}, {Vec3(62, 7, 3), Vec3::UnitZ()}, bent[1]};
+  mission.arcs[2].waypoints.back().position_m.x() += 33;
+  for (const std::optional<double> split_m : {std::optional<double>(), std::optional(0.7)})
+    for (const std::uint32_t most : {1000u, 20u, 1u}) {
+      mission.auction.split_m = split_m;
+      mission.auction.max_tasks = most;
+      Findings findings;
+      check_split(cut(mission), split(mission.arcs, split_m, most).tasks, findings);
+      EXPECT_TRUE(findings.found().empty()) << findings.found().front().what;
+    }
+}
+
 }  // namespace
 }  // namespace arcbid::testing

@@ -23,8 +23,9 @@ TEST(Worlds, TwoThousandOfEveryKindPass) {
   WorldSettings settings = load_worlds(configs / "sim.yaml");
   settings.price = false;
   std::uint64_t worlds = 0;
-  run_batch(settings, 1, 2000, 2, [&](const PricedResult& result) {
+  run_batch(worlds_of(settings), 1, 2000, 2, [&](const PricedResult& result) {
     EXPECT_TRUE(result.world.agreed && result.world.violations.empty()) << text(result.world);
+    EXPECT_LT(20 * result.world.steps, result.world.most_steps) << "seed " << result.world.seed;
     return ++worlds < 2000;
   });
   EXPECT_EQ(worlds, 2000u);
@@ -34,7 +35,7 @@ TEST(Worlds, RepeatBitForBitWhateverTheNumberOfThreads) {
   const WorldSettings settings = load_worlds(configs / "sim.yaml");
   const auto digests = [&](unsigned jobs) {
     std::vector<std::uint64_t> out;
-    run_batch(settings, 500, 560, jobs, [&](const PricedResult& result) {
+    run_batch(worlds_of(settings), 500, 560, jobs, [&](const PricedResult& result) {
       out.push_back(result.world.digest);
       out.push_back(result.fault_free->digest);
       return true;
@@ -48,7 +49,25 @@ TEST(Worlds, RepeatBitForBitWhateverTheNumberOfThreads) {
 
 TEST(Worlds, DifferByTheirSeeds) {
   const WorldSettings settings = load_worlds(configs / "sim.yaml");
-  EXPECT_NE(run_priced(settings, 1).world.digest, run_priced(settings, 2).world.digest);
+  EXPECT_NE(run_priced(worlds_of(settings), 1).world.digest,
+            run_priced(worlds_of(settings), 2).world.digest);
+}
+
+/// On a ring whose links had clogged, agents changed their tables at every tick, were never relayed
+/// for it, and so never came to rest.
+TEST(Worlds, RestUnderRebuildingCbbaThoughEverybodyTalksAllTheTime) {
+  WorldSettings settings;
+  settings.agents = {4, 5};
+  settings.tasks = {12, 40};
+  settings.policies = {PolicyKind::cbba_rebuild};
+  settings.scores = {ScoreKind::discounted_append};
+  settings.topologies = {TopologyKind::ring};
+  settings.layouts = {Layout::clustered, Layout::scattered};
+  settings.odds[static_cast<std::size_t>(WorldFault::clog)] = 1;
+  for (const std::uint64_t seed : {195, 330, 431, 621, 703, 1009, 1035, 1085, 1097, 1151}) {
+    const WorldResult result = run_world(make_world(settings, seed));
+    EXPECT_TRUE(result.agreed) << text(result);
+  }
 }
 
 TEST(Worlds, DoNotPassWhereBidsAreNotWarped) {
@@ -58,16 +77,33 @@ TEST(Worlds, DoNotPassWhereBidsAreNotWarped) {
   settings.odds = {};
   settings.price = false;
   std::uint64_t cycling = 0;
-  run_batch(settings, 1, 600, 2, [&](const PricedResult& result) {
+  run_batch(worlds_of(settings), 1, 600, 2, [&](const PricedResult& result) {
     cycling += !result.world.agreed;
     return cycling == 0;
   });
   EXPECT_GT(cycling, 0u) << "insertion without warping is known to cycle";
 }
 
+/// A lease of a nanosecond: everybody says that it lives at every moment there is.
+TEST(Worlds, EndThoughAgentsTalkEndlesslyAndAreSaidNotToRest) {
+  WorldSettings settings = load_worlds(configs / "sim.yaml");
+  settings.agents = settings.tasks = {2, 2};
+  WorldSpec spec = without_faults(make_world(settings, 1));
+  ASSERT_TRUE(run_world(spec).agreed);
+  spec.mission.auction.lease_ns = 1;
+  const WorldResult result = run_world(spec);
+  EXPECT_FALSE(result.agreed);
+  ASSERT_EQ(result.violations.size(), 1u);
+  EXPECT_EQ(result.violations[0].checker, "liveness");
+  EXPECT_EQ(result.violations[0].what, fmt::format("no end after {} steps, the most that this "
+                                                   "world may take",
+                                                   result.most_steps));
+  EXPECT_LT(result.agreed_ns, 1'000'000) << "virtual time alone would not have ended it";
+}
+
 TEST(Worlds, LoseNothingWithoutFaults) {
   WorldSettings settings = load_worlds(configs / "sim.yaml");
-  const PricedResult result = run_priced(settings, 7);
+  const PricedResult result = run_priced(worlds_of(settings), 7);
   ASSERT_TRUE(result.fault_free);
   EXPECT_TRUE(result.fault_free->agreed);
   EXPECT_EQ(result.fault_free->refused, 0u);

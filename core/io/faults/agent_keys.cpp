@@ -18,14 +18,7 @@ Key<F> lasting(const std::string& name, const std::string& meaning, bool require
 }
 
 Kind<Malformation> malformation() {
-  using M = Malformation;
-  return choice<M>({{"nan_bid", M::nan_bid},
-                    {"unknown_task", M::unknown_task},
-                    {"unknown_agent", M::unknown_agent},
-                    {"wrong_mission", M::wrong_mission},
-                    {"wrong_tasks", M::wrong_tasks},
-                    {"over_bid", M::over_bid},
-                    {"replay", M::replay}});
+  return choice(enumerators<Malformation>(malformation_names));
 }
 
 void read_agent_fault(const Place& place, F& fault, Report& report) {

@@ -12,30 +12,60 @@ long long mm(double metres) {
   return std::llround(metres * 1000);
 }
 
-long long length_mm(const Arc& arc) {
-  return mm((arc.waypoints.back().position_m - arc.waypoints.front().position_m).norm());
+double metres(const Arc& arc) {
+  double sum = 0;
+  for (std::size_t n = 1; n < arc.waypoints.size(); ++n)
+    sum += (arc.waypoints[n].position_m - arc.waypoints[n - 1].position_m).norm();
+  return sum;
+}
+
+/// Where one is after `at_m` along the arc.
+Vec3 place(const Arc& arc, double at_m) {
+  for (std::size_t n = 1; n < arc.waypoints.size(); ++n) {
+    const Vec3 from = arc.waypoints[n - 1].position_m;
+    const Vec3 way = arc.waypoints[n].position_m - from;
+    if (at_m <= way.norm()) return from + way * (at_m / way.norm());
+    at_m -= way.norm();
+  }
+  return arc.waypoints.back().position_m;
+}
+
+/// The arc's pieces; what would be left at its end is too short to be one of its own.
+void cut(const Arc& arc, double piece_m, std::vector<Stretch>& pieces) {
+  const double length_m = metres(arc);
+  for (double from_m = 0; length_m - from_m >= 1e-3;) {
+    const bool is_last = length_m - (from_m + piece_m) < 1e-3;
+    const double to_m = is_last ? length_m : from_m + piece_m;
+    pieces.push_back({arc.id.value, from_m, to_m, place(arc, from_m), place(arc, to_m)});
+    from_m = to_m;
+  }
+}
+
+std::vector<Stretch> cut(const std::vector<Arc>& arcs, double piece_m) {
+  std::vector<Stretch> pieces;
+  for (const Arc& arc : arcs) cut(arc, piece_m, pieces);
+  return pieces;
 }
 
 }  // namespace
 
 std::vector<Stretch> cut(const Mission& mission) {
-  const double piece_m = mission.auction.split_m.value();
-  std::vector<Stretch> pieces;
-  for (const Arc& arc : mission.arcs) {
-    const Vec3 first = arc.waypoints.front().position_m;
-    const Vec3 way = arc.waypoints.back().position_m - first;
-    const double length_m = way.norm();
-    double from_m = 0;
-    while (length_m - from_m >= 1e-3) {
-      // What would be left is too short to be a piece of its own.
-      const bool is_last = length_m - (from_m + piece_m) < 1e-3;
-      const double to_m = is_last ? length_m : from_m + piece_m;
-      pieces.push_back({arc.id.value, from_m, to_m, first + way * (from_m / length_m),
-                        first + way * (to_m / length_m)});
-      from_m = to_m;
-    }
+  const std::vector<Arc>& arcs = mission.arcs;
+  double shortest_m = metres(arcs.front()), longest_m = shortest_m;
+  for (const Arc& arc : arcs) {
+    shortest_m = std::min(shortest_m, metres(arc));
+    longest_m = std::max(longest_m, metres(arc));
   }
-  return pieces;
+  const double piece_m = std::max(mission.auction.split_m.value_or(shortest_m), 0.01);
+  const std::size_t most = std::max<std::size_t>(mission.auction.max_tasks, arcs.size());
+  std::vector<Stretch> pieces = cut(arcs, piece_m);
+  if (pieces.size() <= most) return pieces;
+  // The shortest pieces that are few enough lie between these two.
+  for (double too_short_m = piece_m; longest_m - too_short_m > 1e-9;) {
+    const double middle_m = (too_short_m + longest_m) / 2;
+    (cut(arcs, middle_m).size() <= most ? longest_m : too_short_m) = middle_m;
+  }
+  return cut(arcs, longest_m);
 }
 
 void check_split(const std::vector<Stretch>& expected, const std::vector<Task>& tasks,
@@ -66,9 +96,9 @@ void check_cover(const Mission& mission, std::vector<Piece> pieces, TimeNs now_n
     reached = mm(piece.to_m);
   }
   for (const Arc& arc : mission.arcs)
-    if (reached_mm[arc.id.value] != length_mm(arc))
+    if (reached_mm[arc.id.value] != mm(metres(arc)))
       findings.add(now_ns, "cover", "arc {}: {} of {} mm", arc.id.value, reached_mm[arc.id.value],
-                   length_mm(arc));
+                   mm(metres(arc)));
 }
 
 }  // namespace arcbid

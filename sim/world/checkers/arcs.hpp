@@ -14,8 +14,8 @@ struct Stretch {
   Vec3 first_m = Vec3::Zero(), last_m = Vec3::Zero();
 };
 
-/// Cuts every arc into pieces of the mission's piece length. Only for missions of straight arcs
-/// that name a piece length and stay below the limit of tasks.
+/// Cuts every arc into pieces as the mission asks for: of its piece length or else the shortest
+/// arc's, longer ones where they would be more than its limit of tasks.
 std::vector<Stretch> cut(const Mission& mission);
 
 /// The split is what it must be, to the millimetre.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sim/world/malform.hpp"
+#include "core/faults/malform.hpp"
 
 #include <limits>
 
