@@ -65,6 +65,31 @@ TEST(Worlds, DoNotPassWhereBidsAreNotWarped) {
   EXPECT_GT(cycling, 0u) << "insertion without warping is known to cycle";
 }
 
+/// Seed 1 of worlds in which nothing happens but that somebody bids over everybody.
+WorldSpec over_bid_world(PolicyKind policy, bool audited) {
+  WorldSettings settings = load_worlds(configs / "sim.yaml");
+  settings.policies = {policy};
+  settings.topologies = {TopologyKind::complete};
+  settings.odds = {};
+  settings.odds[static_cast<std::size_t>(WorldFault::over_bid)] = 1;
+  settings.agents = {4, 6};
+  WorldSpec spec = make_world(settings, 1);
+  spec.mission.auction.audit_bids = audited;
+  return spec;
+}
+
+TEST(Worlds, RefuseOverBids) {
+  for (std::size_t p = 0; p < policy_names.size(); ++p) {
+    const auto policy = static_cast<PolicyKind>(p);
+    const WorldResult audited = run_world(over_bid_world(policy, true));
+    EXPECT_TRUE(audited.agreed && audited.violations.empty()) << text(audited);
+    EXPECT_GE(audited.refused, 3u) << "by everybody else";
+    const WorldResult unaudited = run_world(over_bid_world(policy, false));
+    ASSERT_FALSE(unaudited.violations.empty()) << policy_names[p];
+    EXPECT_EQ(unaudited.violations[0].checker, "refusal");
+  }
+}
+
 TEST(Worlds, LoseNothingWithoutFaults) {
   WorldSettings settings = load_worlds(configs / "sim.yaml");
   const PricedResult result = run_priced(settings, 7);
