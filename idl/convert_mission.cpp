@@ -38,6 +38,7 @@ wire::AuctionSettings encode(const AuctionSettings& settings) {
   out.split_m(settings.split_m.value_or(0));
   out.max_tasks(settings.max_tasks);
   out.bundle_limit(settings.bundle_limit);
+  out.audit_bids(settings.audit_bids);
   out.tick_ns(settings.tick_ns);
   out.lease_ns(settings.lease_ns);
   out.barrier_ns(settings.barrier_ns);
@@ -48,8 +49,8 @@ AuctionSettings decode(const wire::AuctionSettings& settings, Verdict& verdict) 
   AuctionSettings out;
   out.policy =
       enumerator<PolicyKind>(settings.policy(), wire::POLICY_ACBBA, "auction.policy", verdict);
-  out.score =
-      enumerator<ScoreKind>(settings.score(), wire::SCORE_DISCOUNTED_INSERT_WARPED, "auction.score", verdict);
+  out.score = enumerator<ScoreKind>(settings.score(), wire::SCORE_DISCOUNTED_INSERT_WARPED,
+                                    "auction.score", verdict);
   out.discount_per_s = settings.discount_per_s();
   verdict.require(std::isfinite(out.discount_per_s) && out.discount_per_s > 0,
                   "auction.discount_per_s", out.discount_per_s);
@@ -61,6 +62,7 @@ AuctionSettings decode(const wire::AuctionSettings& settings, Verdict& verdict) 
   out.max_tasks = settings.max_tasks();
   verdict.require(out.max_tasks > 0, "auction.max_tasks", out.max_tasks);
   out.bundle_limit = settings.bundle_limit();
+  out.audit_bids = settings.audit_bids();
   out.tick_ns = settings.tick_ns();
   verdict.require(out.tick_ns > 0, "auction.tick_ns", out.tick_ns);
   out.lease_ns = settings.lease_ns();

@@ -16,6 +16,7 @@ std::uint64_t digest(const Mission& mission) {
   d.add(static_cast<std::uint64_t>(a.policy)).add(static_cast<std::uint64_t>(a.score));
   d.add(a.discount_per_s).add(std::uint64_t{a.split_m.has_value()}).add(a.split_m.value_or(0));
   d.add(std::uint64_t{a.max_tasks}).add(std::uint64_t{a.bundle_limit});
+  d.add(std::uint64_t{a.audit_bids});
   for (const TimeNs t : {a.tick_ns, a.lease_ns, a.barrier_ns}) d.add(static_cast<std::uint64_t>(t));
   d.add(mission.tour.seed).add(std::uint64_t{mission.tour.epochs});
   return d.value();

@@ -41,8 +41,10 @@ Agent::Agent(AgentId self, std::uint64_t incarnation, std::shared_ptr<const Miss
       tasks_(split_as_told(*mission_)),
       view_(roster_of(*mission_)),
       me_(view_.position(self).value()),
-      expected_{digest(*mission_), tasks_.digest, tasks_.tasks.size(), self,
-                mission_->auction.policy},
+      expected_{digest(*mission_),        tasks_.digest,
+                tasks_.tasks.size(),      self,
+                mission_->auction.policy, mission_->auction.bundle_limit},
+      audit_(tasks_, mission_->fleet, mission_->auction, *transit_),
       policy_(make_policy(tasks_, uav_of(*mission_, self), view_.roster(), mission_->auction,
                           *transit_)),
       membership_(view_.roster().size(), me_, now_ns),
@@ -149,8 +151,11 @@ void Agent::learn(const Statement& statement, Update& update) {
     if (statement.key > view_.key(me_)) refute(statement.key, update);
     return;
   }
+  if (statement.key <= view_.key(member)) return;  // known already, true or false
+  update.refused = audit_.refusal(statement);
+  if (update.refused) return;
   const bool was_dead = view_.dead(member);
-  if (!view_.merge(statement)) return;
+  view_.merge(statement);
   if (view_.dead(member) && !was_dead) update.died.push_back(statement.agent);
   if (was_dead && !view_.dead(member)) {
     update.returned.push_back(statement.agent);

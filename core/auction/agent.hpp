@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/arcs/mission.hpp"
+#include "core/auction/bid_audit.hpp"
 #include "core/auction/dissemination.hpp"
 #include "core/auction/membership.hpp"
 #include "core/auction/message.hpp"
@@ -120,6 +121,7 @@ class Agent {
   View view_;
   const std::size_t me_;  // roster position of self
   const Expected expected_;
+  BidAudit audit_;
   std::unique_ptr<Policy> policy_;
   Membership membership_;
   Readiness readiness_;

@@ -11,11 +11,14 @@
 
 namespace arcbid {
 
+Bundle::Bids bids_of(ScoreKind score) {
+  return score == ScoreKind::discounted_insert ? Bundle::Bids::true_gains : Bundle::Bids::warped;
+}
+
 Bundle make_bundle(const TaskSet& set, const Uav& self, const AuctionSettings& settings,
                    const Transit& transit) {
-  const bool plain = settings.score == ScoreKind::discounted_insert;
   return Bundle(self.id, make_score(set, self, settings, transit), set.tasks.size(),
-                settings.bundle_limit, plain ? Bundle::Bids::true_gains : Bundle::Bids::warped);
+                settings.bundle_limit, bids_of(settings.score));
 }
 
 std::unique_ptr<Policy> make_policy(const TaskSet& set, const Uav& self,

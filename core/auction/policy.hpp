@@ -37,6 +37,9 @@ class Policy {
   virtual const std::vector<PathStop>& path() const = 0;
 };
 
+/// Whether bids are warped under this score.
+Bundle::Bids bids_of(ScoreKind score);
+
 /// Bundle and path of one agent, with the score and the kind of bids that the mission asks for.
 Bundle make_bundle(const TaskSet& set, const Uav& self, const AuctionSettings& settings,
                    const Transit& transit);

@@ -16,7 +16,13 @@ Reason implausible(std::uint64_t incarnation, std::uint64_t last = last_incarnat
   return fmt::format("life {} is beyond {}", incarnation, last);
 }
 
-Reason refusal(const Claims& claims, const Expected& expected, const View&) {
+Reason beyond_the_limit(AgentId agent, std::size_t tasks, const Expected& expected) {
+  if (expected.bundle_limit == 0 || tasks <= expected.bundle_limit) return {};
+  return fmt::format("agent {} takes {} tasks, more than {}", agent.value, tasks,
+                     expected.bundle_limit);
+}
+
+Reason refusal(AgentId agent, const Claims& claims, const Expected& expected, const View&) {
   if (!states_claims(expected.policy))
     return fmt::format("claims, but the mission's policy is {}", name_of(expected.policy));
   std::vector<bool> seen(expected.tasks, false);
@@ -28,10 +34,10 @@ Reason refusal(const Claims& claims, const Expected& expected, const View&) {
     if (seen[claim.task.value]) return fmt::format("task {} is claimed twice", claim.task.value);
     seen[claim.task.value] = true;
   }
-  return {};
+  return beyond_the_limit(agent, claims.bundle.size(), expected);
 }
 
-Reason refusal(const Table& table, const Expected& expected, const View& view) {
+Reason refusal(AgentId agent, const Table& table, const Expected& expected, const View& view) {
   if (states_claims(expected.policy))
     return fmt::format("a table, but the mission's policy is {}", name_of(expected.policy));
   if (table.beliefs.size() != expected.tasks)
@@ -43,14 +49,16 @@ Reason refusal(const Table& table, const Expected& expected, const View& view) {
   for (const std::uint64_t time : table.timestamps)
     if (by_task && time > last_timestamp)
       return fmt::format("timestamp {} is beyond {}", time, last_timestamp);
+  std::size_t own = 0;
   for (std::size_t j = 0; j < table.beliefs.size(); ++j) {
     const Belief& belief = table.beliefs[j];
+    own += belief.winner == agent;
     if (!std::isfinite(belief.bid)) return fmt::format("the bid for task {} is {}", j, belief.bid);
     if (belief.winner && !view.position(*belief.winner))
       return fmt::format("task {} is won by agent {}, who is not of the fleet", j,
                          belief.winner->value);
   }
-  return {};
+  return beyond_the_limit(agent, own, expected);
 }
 
 /// Entries must name agents of the fleet, each once, in ascending order.
@@ -98,8 +106,9 @@ Reason refusal(const Statement& statement, const Expected& expected, const View&
   }
   if (statement.key.incarnation == 0)
     return fmt::format("a statement of agent {} without a life", statement.agent.value);
-  return std::visit([&](const auto& body) { return refusal(body, expected, view); },
-                    statement.body);
+  return std::visit(
+      [&](const auto& body) { return refusal(statement.agent, body, expected, view); },
+      statement.body);
 }
 
 Reason refusal(const StatusMessage& status, const View& view) {

@@ -10,7 +10,7 @@ namespace arcbid {
 /// that the agent has said. Not for over_bid and replay.
 BidMessage malformed(const BidMessage& sound, Malformation how, std::size_t tasks);
 
-/// Bids far above anybody's for every task: legal, and false.
+/// Bids far above anybody's for every task: well formed, and false.
 BidMessage over_bid(const BidMessage& sound, std::size_t tasks);
 
 }  // namespace arcbid

@@ -118,7 +118,7 @@ enum class Malformation : std::uint8_t {
   unknown_agent,
   wrong_mission,
   wrong_tasks,
-  over_bid,  ///< legal but false: bids far above anybody's for every task, then silence
+  over_bid,  ///< well formed but false: bids far above anybody's for every task, then silence
   replay,    ///< an old message of its own again
 };
 

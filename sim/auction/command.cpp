@@ -50,6 +50,8 @@ nlohmann::json to_json(const RoundsOutcome& outcome, const Evaluation& value, do
           {"sends", outcome.sends},
           {"bytes", outcome.bytes},
           {"bytes_as_differences", outcome.difference_bytes},
+          {"bytes_as_orders",
+           outcome.order_bytes > 0 ? nlohmann::json(outcome.order_bytes) : nlohmann::json(nullptr)},
           {"agreed", outcome.agreed},
           {"conflicts", value.conflicts},
           {"assigned", value.assigned},
@@ -67,8 +69,11 @@ void print_table(const RoundsOutcome& outcome, const Evaluation& value, double c
   line("agreed", outcome.agreed ? "yes" : "no");
   line("last change", fmt::format("round {}", outcome.last_change_round));
   if (outcome.proof_round > 0) line("proven", fmt::format("round {}", outcome.proof_round));
-  line("messages", fmt::format("{} ({} sends, {} bytes; {} as differences)", outcome.messages,
-                               outcome.sends, outcome.bytes, outcome.difference_bytes));
+  line("messages",
+       fmt::format(
+           "{} ({} sends, {} bytes; {} as differences{})", outcome.messages, outcome.sends,
+           outcome.bytes, outcome.difference_bytes,
+           outcome.order_bytes > 0 ? fmt::format(", {} as orders", outcome.order_bytes) : ""));
   line("assigned", fmt::format("{}, {} to more than one agent", value.assigned, value.conflicts));
   line("score", fmt::format("{:.6f}", value.score));
   line("length",
@@ -82,6 +87,7 @@ struct AuctionCommand::Arguments {
   std::string agents, tasks, values = "unit", json;
   AuctionSettings settings;
   Graph graph = Graph::complete;
+  bool orders = false;
 };
 
 AuctionCommand::AuctionCommand(CLI::App& app) : arguments_(std::make_unique<Arguments>()) {
@@ -107,6 +113,8 @@ AuctionCommand::AuctionCommand(CLI::App& app) : arguments_(std::make_unique<Argu
                       "most tasks an agent takes (0: no limit)");
   command->add_option("--discount", a.settings.discount_per_s, "rate of the discounted scores, 1/s")
       ->check(CLI::Range(1e-6, 10.0));
+  command->add_flag("--orders", a.orders,
+                    "claims: also count the bytes of statements without bids, which costs CPU");
   command->add_option("--json", a.json, "write the result as JSON to this file (-: to the output)");
   command_ = command;
 }
@@ -121,7 +129,8 @@ Exit AuctionCommand::run() const {
   const Arguments& a = *arguments_;
   const Instance instance = read_instance(a.agents, a.tasks, "value_" + a.values);
   const double before = cpu_s();
-  const RoundsOutcome outcome = run_rounds(instance, a.settings, a.graph);
+  const RoundsOutcome outcome =
+      run_rounds(instance, a.settings, a.graph, a.orders ? Encoding::orders : Encoding::bids);
   const double cpu = cpu_s() - before;
   const Evaluation value = evaluate(instance, outcome.paths, a.settings.discount_per_s);
   if (a.json == "-") {

@@ -14,6 +14,7 @@ namespace arcbid {
 struct Traffic {
   std::uint64_t messages = 0, sends = 0, bytes = 0;
   std::uint64_t difference_bytes = 0;  ///< the same where links lose nothing: only what is new
+  std::uint64_t order_bytes = 0;       ///< and without bids (claims, where it is asked for)
 };
 
 /// How one family of policies behaves in synchronous rounds.
@@ -33,6 +34,7 @@ struct RoundsWorld {
   const AuctionSettings& settings;
   const Transit& transit;
   std::vector<std::vector<std::size_t>> neighbours;
+  Encoding encoding = Encoding::bids;
 
   std::size_t agents() const { return instance.fleet.size(); }
   std::size_t tasks() const { return instance.tasks.tasks.size(); }

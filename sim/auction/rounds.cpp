@@ -71,9 +71,11 @@ std::vector<TaskId> tasks_of(const std::vector<PathStop>& path) {
   return tasks;
 }
 
-RoundsOutcome run_rounds(const Instance& instance, const AuctionSettings& settings, Graph graph) {
+RoundsOutcome run_rounds(const Instance& instance, const AuctionSettings& settings, Graph graph,
+                         Encoding encoding) {
   const StraightTransit transit;
-  const RoundsWorld world{instance, settings, transit, neighbours(graph, instance.fleet.size())};
+  const RoundsWorld world{instance, settings, transit, neighbours(graph, instance.fleet.size()),
+                          encoding};
   const auto protocol = protocol_of(world);
   const std::size_t limit = round_limit(instance, graph, settings.bundle_limit);
   const std::size_t quiet = 2 * diameter(graph, instance.fleet.size()) + 2;
@@ -96,6 +98,7 @@ RoundsOutcome run_rounds(const Instance& instance, const AuctionSettings& settin
   outcome.sends = until_change.sends;
   outcome.bytes = until_change.bytes;
   outcome.difference_bytes = until_change.difference_bytes;
+  outcome.order_bytes = until_change.order_bytes;
   return outcome;
 }
 

@@ -27,7 +27,12 @@ struct RoundsOutcome {
   std::uint64_t sends = 0;     ///< the same, one send reaching all neighbours
   std::uint64_t bytes = 0;     ///< of these sends: whole tables or statements, and what is held
   std::uint64_t difference_bytes = 0;  ///< of the same where links lose nothing: only what is new
+  std::uint64_t order_bytes = 0;       ///< and without bids; claims with Encoding::orders, else 0
 };
+
+/// How statements travel: with their bids; or also, to count the bytes, as the order of their tasks
+/// from which the bids are recomputed, which costs CPU.
+enum class Encoding : std::uint8_t { bids, orders };
 
 /// Rounds after which a run that will not rest is cut off: thrice the bound N_min D that holds
 /// under diminishing gains (Choi, Brunet, How 2009), and some.
@@ -35,6 +40,7 @@ std::size_t round_limit(const Instance& instance, Graph graph, std::uint32_t bun
 
 /// Runs all agents in this thread, without loss: in every round all decide, then all hear their
 /// neighbours.
-RoundsOutcome run_rounds(const Instance& instance, const AuctionSettings& settings, Graph graph);
+RoundsOutcome run_rounds(const Instance& instance, const AuctionSettings& settings, Graph graph,
+                         Encoding encoding = Encoding::bids);
 
 }  // namespace arcbid

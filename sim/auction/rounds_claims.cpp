@@ -4,7 +4,9 @@
 #include "core/auction/policy.hpp"
 #include "core/auction/readiness.hpp"
 #include "core/auction/view.hpp"
+#include "core/base/error.hpp"
 #include "sim/auction/difference.hpp"
+#include "sim/auction/orders.hpp"
 #include "sim/auction/protocol.hpp"
 
 namespace arcbid {
@@ -12,7 +14,9 @@ namespace {
 
 /// Statements flood: an agent passes on what it has learnt since its last message, where one of its
 /// neighbours can have it neither from its author nor from whom it came. Nothing is lost here, so
-/// that an agent need not say what it holds, and says bundles as differences to what it said last.
+/// that an agent need not say what it holds, and says bundles as differences to what it said last:
+/// with bids, and where that is asked for as orders of tasks, from which the neighbours recompute
+/// the bids.
 class ClaimsRounds final : public RoundsProtocol {
  public:
   explicit ClaimsRounds(const RoundsWorld& world) : world_(world) {
@@ -22,8 +26,11 @@ class ClaimsRounds final : public RoundsProtocol {
           {make_policy(world.instance.tasks, uav, roster, world.settings, world.transit),
            View(roster), Readiness(roster.size(), agents_.size()),
            std::vector<bool>(roster.size(), false),
-           std::vector<std::vector<std::size_t>>(roster.size()),
-           std::vector<std::vector<Claim>>(roster.size())});
+           std::vector<std::vector<std::size_t>>(roster.size()), std::vector<Said>(roster.size())});
+    for (std::vector<BundleReplay>* side : {&senders_, &receivers_})
+      for (const Uav& uav : world.instance.fleet)
+        if (world.encoding == Encoding::orders)
+          side->push_back(make_replay(world.instance.tasks, uav, world.settings, world.transit));
   }
 
   bool play(Traffic& traffic) override {
@@ -63,7 +70,7 @@ class ClaimsRounds final : public RoundsProtocol {
     Readiness readiness;
     std::vector<bool> news;                    // by author: not said yet
     std::vector<std::vector<std::size_t>> by;  // by author: neighbours that the newest came from
-    std::vector<std::vector<Claim>> said;      // by author: the bundle that the neighbours have
+    std::vector<Said> said;                    // by author: what the neighbours have
     bool undecided = true;
     std::uint32_t version = 0;
     std::uint64_t hash = 0;
@@ -109,20 +116,25 @@ class ClaimsRounds final : public RoundsProtocol {
     Member& agent = agents_[i];
     Message message{{}, agent.hash, agent.readiness.set(), false};
     const std::uint64_t frame = message_bytes + hash_bytes + agents_.size() / 8;
-    std::uint64_t bytes = frame, difference_bytes = frame;
+    std::uint64_t bytes = frame, difference_bytes = frame, order_bytes = frame;
     for (std::size_t author = 0; author < agents_.size(); ++author) {
       const bool news = agent.news[author];
       agent.news[author] = false;
       if (!news || !wanted(i, author)) continue;
       const Statement& statement = agent.view.of(author);
-      std::vector<Claim>& said = agent.said[author];
-      const Difference what = difference(said, std::get<Claims>(statement.body).bundle);
+      Said& said = agent.said[author];
+      const Said now{statement.key, std::get<Claims>(statement.body).bundle};
+      const Difference what = difference(said.bundle, now.bundle);
       difference_bytes += statement_bytes + what.bytes();
-      said = restored(what, said);  // as every neighbour does
-      bytes += statement_bytes + claim_bytes * said.size();
-      message.statements.push_back({statement.agent, statement.key, Claims{said}});
+      if (world_.encoding == Encoding::orders) order_bytes += say_order(author, said, now);
+      said = {now.key, restored(what, said.bundle)};  // as every neighbour does
+      bytes += statement_bytes + claim_bytes * said.bundle.size();
+      message.statements.push_back({statement.agent, said.key, Claims{said.bundle}});
     }
-    if (!message.statements.empty()) bytes += timestamp_bytes * agents_.size();
+    if (!message.statements.empty()) {
+      bytes += timestamp_bytes * agents_.size();
+      order_bytes += (agents_.size() + 7) / 8;  // a bit for each author: who of them is told of
+    }
     message.silent = message.statements.empty() && !agent.ready_grew;
     agent.ready_grew = false;
     if (message.silent) return message;
@@ -130,7 +142,16 @@ class ClaimsRounds final : public RoundsProtocol {
     traffic.sends += 1;
     traffic.bytes += bytes;
     traffic.difference_bytes += difference_bytes;
+    if (world_.encoding == Encoding::orders) traffic.order_bytes += order_bytes;
     return message;
+  }
+
+  /// What it costs; and every neighbour has then exactly what was said.
+  std::uint64_t say_order(std::size_t author, const Said& before, const Said& now) {
+    const Bytes bytes = encode(before, now, senders_[author]);
+    check(decode(bytes, before, world_.tasks(), receivers_[author]) == now,
+          "an order restores its statement");
+    return bytes.size();
   }
 
   void hear(std::size_t i, std::size_t k, const Message& message) {
@@ -151,6 +172,7 @@ class ClaimsRounds final : public RoundsProtocol {
 
   const RoundsWorld& world_;
   std::vector<Member> agents_;
+  std::vector<BundleReplay> senders_, receivers_;  // by author; empty: not asked for
 };
 
 }  // namespace

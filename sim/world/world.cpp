@@ -14,6 +14,13 @@ std::vector<StatementKey> keys_of_others(const View& view, std::size_t self) {
   return keys;
 }
 
+/// What is not newer than what is held is passed over, true or false.
+bool is_old_news(const Event& event, const View& view, const std::vector<StatementKey>& held) {
+  const auto* bid = std::get_if<BidMessage>(&event.what);
+  const auto author = bid ? view.position(bid->statement.agent) : std::nullopt;
+  return author && bid->statement.key <= held[*author];
+}
+
 }  // namespace
 
 World::World(const WorldSpec& spec, const Trace& trace)
@@ -126,7 +133,7 @@ void World::check_refusal(const Life& life, const Delivery& delivery, const Upda
     checkers_.findings.add(now_ns_, "refusal", "agent {} refuses a sound message: {}", agent.value,
                            *update.refused);
   if (!delivery.is_malformed) return;
-  if (!update.refused)
+  if (!update.refused && !is_old_news(*delivery.event, life.core->view(), before))
     checkers_.findings.add(now_ns_, "refusal", "agent {} takes a malformed message", agent.value);
   if (keys_of_others(life.core->view(), life.agent) != before)
     checkers_.findings.add(now_ns_, "refusal", "agent {} learns from a malformed message",

@@ -81,10 +81,9 @@ void World::bid_over(const Act& act) {
   for (Life* life : lives_of(act.agent)) {
     if (!life->said) continue;
     BidMessage bad = over_bid(*life->said, pieces_.size());
-    checkers_.statements.stated(bad.statement);
     for (std::uint32_t n = 0; n < std::max(act.count, 1U); ++n) {
       ++bad.header.sequence;
-      network_.broadcast(life->agent, life->number, bad, now_ns_);
+      network_.broadcast(life->agent, life->number, bad, now_ns_, true);
     }
   }
   stop(act.agent, false);

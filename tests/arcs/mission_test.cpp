@@ -39,6 +39,7 @@ TEST(MissionDigest, EveryFieldCounts) {
   change([](Mission& m) { m.auction.split_m = 5; });
   change([](Mission& m) { m.auction.max_tasks = 5; });
   change([](Mission& m) { m.auction.bundle_limit = 5; });
+  change([](Mission& m) { m.auction.audit_bids = false; });
   change([](Mission& m) { m.auction.tick_ns = 5; });
   change([](Mission& m) { m.auction.lease_ns = 5; });
   change([](Mission& m) { m.auction.barrier_ns = 5; });

@@ -23,9 +23,11 @@ inline constexpr std::size_t at_first = 0, at_self = 1, at_third = 2;  // roster
 /// Agent 2 of three; the test plays the other two.
 class AgentTest : public ::testing::Test {
  protected:
-  explicit AgentTest(PolicyKind policy = PolicyKind::claims) {
+  /// Without an audit a test bids what it likes.
+  explicit AgentTest(PolicyKind policy = PolicyKind::claims, bool audit_bids = false) {
     Mission draft = random_mission(1, 3, 4);
     draft.auction.policy = policy;
+    draft.auction.audit_bids = audit_bids;
     mission = std::make_shared<const Mission>(draft);
     agent.emplace(self, own_life, mission, std::make_shared<StraightTransit>(), 0);
   }

@@ -134,6 +134,50 @@ TEST_F(MisbehavingPeer, UsesUpTheLivesOfThisAgent) {
   EXPECT_TRUE(hear(message).refused || agent->view().key(at_self) > last);
 }
 
+/// A peer under audit, and what it may truly bid.
+class OverBidder : public AgentTest {
+ protected:
+  OverBidder() : AgentTest(PolicyKind::claims, true) {}
+  void SetUp() override {
+    start();
+    settle();
+  }
+  double true_bid(std::uint32_t task) const {
+    const StraightTransit transit;
+    return make_score(agent->tasks(), mission->fleet[at_first], mission->auction, transit)
+        ->best({task})
+        .gain;
+  }
+  void expect_refused(const auto& message) {
+    const auto hash = agent->view().hash();
+    const auto winners = agent->winners();
+    const Update update = hear(message);
+    ASSERT_TRUE(update.refused);
+    EXPECT_THAT(*update.refused, HasSubstr("agent 1 bids 1000000000 for task 0, where its path"));
+    settle();
+    EXPECT_EQ(agent->view().hash(), hash);
+    EXPECT_EQ(agent->winners(), winners);
+  }
+};
+
+TEST_F(OverBidder, IsNotBelieved) {
+  expect_refused(bid(claims(first, 1, {{{0}, 1e9}})));
+  EXPECT_EQ(hear(bid(claims(first, 2, {{{0}, true_bid(0)}}))).refused, std::nullopt);
+  EXPECT_EQ(agent->view().key(at_first).version, 2u);
+}
+
+TEST_F(OverBidder, IsNotBelievedByWayOfARelay) {
+  expect_refused(RelayMessage{header(third), claims(first, 1, {{{0}, 1e9}})});
+}
+
+TEST_F(OverBidder, SayingWhatIsOldIsPassedOver) {
+  ASSERT_EQ(hear(bid(claims(first, 3, {{{0}, true_bid(0)}}))).refused, std::nullopt);
+  const auto hash = agent->view().hash();
+  hear(bid(claims(first, 3, {{{0}, 1e9}})));
+  hear(bid(claims(first, 2, {{{0}, 1e9}})));
+  EXPECT_EQ(agent->view().hash(), hash);
+}
+
 class MisbehavingCbbaPeer : public AgentTest {
  protected:
   MisbehavingCbbaPeer() : AgentTest(PolicyKind::cbba) {}

@@ -155,6 +155,21 @@ TEST_F(Refusal, OfATaskClaimedTwice) {
   expect_refused(claims, "task 1 is claimed twice");
 }
 
+TEST_F(Refusal, OfMoreTasksThanTheLimit) {
+  Expected expected = claims_expected;
+  expected.bundle_limit = 2;
+  EXPECT_EQ(refusal(claims, expected, view), std::nullopt);
+  expected.bundle_limit = 1;
+  EXPECT_THAT(refusal(claims, expected, view).value_or(""),
+              HasSubstr("agent 3 takes 2 tasks, more than 1"));
+  expected = cbba_expected;
+  expected.bundle_limit = 1;
+  EXPECT_EQ(refusal(table, expected, view), std::nullopt) << "the tasks are others'";
+  for (Belief& belief : std::get<Table>(table.body).beliefs) belief = {AgentId{3}, 1};
+  EXPECT_THAT(refusal(table, expected, view).value_or(""),
+              HasSubstr("agent 3 takes 4 tasks, more than 1"));
+}
+
 TEST_F(Refusal, OfATombstoneThatClaimsTasks) {
   claims.key.dead = true;
   expect_refused(claims, "a tombstone that claims tasks");

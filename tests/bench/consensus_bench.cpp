@@ -95,8 +95,9 @@ void cpu_table() {
 
 void traffic_table(std::ofstream& tsv) {
   fmt::print(
-      "\n| agents | tasks | graph | policy | rounds | proof | messages | kB | kB, differences |\n");
-  fmt::print("|---:|---:|---|---|---:|---:|---:|---:|---:|\n");
+      "\n| agents | tasks | graph | policy | rounds | proof | messages | kB | kB, differences | "
+      "kB, orders |\n");
+  fmt::print("|---:|---:|---|---|---:|---:|---:|---:|---:|---:|\n");
   for (const std::uint32_t tasks : {100u, 500u, 1000u})
     for (const std::uint32_t agents : {2u, 4u, 8u, 16u, 32u, 64u}) {
       const Instance instance = testing::random_points(agents * 10000 + tasks, agents, tasks);
@@ -106,16 +107,19 @@ void traffic_table(std::ofstream& tsv) {
           settings.policy = static_cast<PolicyKind>(p);
           settings.score = ScoreKind::discounted_append;
           settings.bundle_limit = bundle_limit(instance);
-          const RoundsOutcome o = run_rounds(instance, settings, graph);
+          const RoundsOutcome o = run_rounds(instance, settings, graph, Encoding::orders);
           const std::string rounds = o.converged ? fmt::format("{}", o.last_change_round) : "never";
-          fmt::print("| {} | {} | {} | {} | {} | {} | {} | {:.1f} | {:.1f} |\n", agents, tasks,
-                     name, policy_names[p], rounds,
-                     o.proof_round > 0 ? fmt::format("{}", o.proof_round) : "", o.messages,
-                     1e-3 * static_cast<double>(o.bytes),
-                     1e-3 * static_cast<double>(o.difference_bytes));
+          fmt::print(
+              "| {} | {} | {} | {} | {} | {} | {} | {:.1f} | {:.1f} | {} |\n", agents, tasks, name,
+              policy_names[p], rounds, o.proof_round > 0 ? fmt::format("{}", o.proof_round) : "",
+              o.messages, 1e-3 * static_cast<double>(o.bytes),
+              1e-3 * static_cast<double>(o.difference_bytes),
+              o.order_bytes > 0 ? fmt::format("{:.1f}", 1e-3 * static_cast<double>(o.order_bytes))
+                                : "");
           if (o.converged)
-            tsv << fmt::format("{}\t{}\t{}\t{}\t{}\t{}\t{}\n", agents, tasks, name, policy_names[p],
-                               o.messages, o.bytes, o.difference_bytes);
+            tsv << fmt::format("{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\n", agents, tasks, name,
+                               policy_names[p], o.messages, o.bytes, o.difference_bytes,
+                               o.order_bytes);
         }
     }
 }

@@ -49,7 +49,7 @@ coverage: {spacing_m: 3, standoff_m: 4.5, safety_m: 2.5, ground_clearance_m: 1, 
   seed: 9, ground_m: -0.5}
 fleet: {agents: 7, speed_mps: 2}
 auction: {policy: cbba, score: discounted-insert-warped, discount_per_s: 0.5, split_m: 12, max_tasks: 50,
-  bundle_limit: 8, tick_ms: 12.5, lease_ms: 3000, barrier_ms: 4000}
+  bundle_limit: 8, audit_bids: false, tick_ms: 12.5, lease_ms: 3000, barrier_ms: 4000}
 tour: {seed: 11, epochs: 12}
 network: {transport: discovery_server, domain: 17, server_address: 127.0.0.2, server_port: 12,
   interface_address: 127.0.0.3, reliable_bids: true}
@@ -86,6 +86,7 @@ timeout_s: 60
   EXPECT_EQ(c.auction.split_m, 12);
   EXPECT_EQ(c.auction.max_tasks, 50u);
   EXPECT_EQ(c.auction.bundle_limit, 8u);
+  EXPECT_FALSE(c.auction.audit_bids);
   EXPECT_EQ(c.auction.tick_ns, 12'500'000);
   EXPECT_EQ(c.auction.lease_ns, 3'000'000'000);
   EXPECT_EQ(c.auction.barrier_ns, 4'000'000'000);
@@ -147,7 +148,8 @@ TEST(Config, NumbersAsPeopleWriteThem) {
 TEST(Config, EveryShippedConfigLoadsAndPrintsBackTheSame) {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(source_dir / "configs")) {
-    const bool of_a_run = entry.is_regular_file() && !entry.path().stem().string().starts_with("sim");
+    const bool of_a_run =
+        entry.is_regular_file() && !entry.path().stem().string().starts_with("sim");
     if (!of_a_run) continue;
     SCOPED_TRACE(entry.path());
     const Config c = load_config(entry.path());

@@ -77,6 +77,7 @@ Config legal_config() {
   if (*rc::gen::arbitrary<bool>()) c.auction.split_m = number(0.1, 10000);
   c.auction.max_tasks = *rc::gen::inRange(1u, 100001u);
   c.auction.bundle_limit = *rc::gen::inRange(0u, 100001u);
+  c.auction.audit_bids = *rc::gen::arbitrary<bool>();
   c.auction.tick_ns = time_ns(1, 10000);
   c.auction.lease_ns = time_ns(30000, 600000);
   c.auction.barrier_ns = time_ns(0, 600000);

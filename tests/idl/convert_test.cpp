@@ -69,23 +69,23 @@ TEST(Convert, RoundTripOfEmptyAndAbsent) {
 
 TEST(Convert, ForeignSchemaVersionIsRefused) {
   wire::Mission mission = to_wire(samples::mission());
-  mission.schema_version(3);
-  EXPECT_THAT(refusal(mission), HasSubstr("schema_version = 3"));
+  mission.schema_version(2);
+  EXPECT_THAT(refusal(mission), HasSubstr("schema_version = 2"));
   wire::Control control = to_wire(samples::control());
   control.schema_version(7);
   EXPECT_THAT(refusal(control), HasSubstr("schema_version = 7"));
   wire::Bids bids = to_wire(samples::bids(1));
-  bids.header().schema_version(3);
-  EXPECT_THAT(refusal(bids), HasSubstr("schema_version = 3"));
+  bids.header().schema_version(2);
+  EXPECT_THAT(refusal(bids), HasSubstr("schema_version = 2"));
   wire::Relay relay = to_wire(samples::relay(1, 2));
-  relay.header().schema_version(3);
-  EXPECT_THAT(refusal(relay), HasSubstr("schema_version = 3"));
+  relay.header().schema_version(2);
+  EXPECT_THAT(refusal(relay), HasSubstr("schema_version = 2"));
   wire::Status status = to_wire(samples::status(1));
-  status.header().schema_version(3);
-  EXPECT_THAT(refusal(status), HasSubstr("schema_version = 3"));
+  status.header().schema_version(2);
+  EXPECT_THAT(refusal(status), HasSubstr("schema_version = 2"));
   wire::Route route = to_wire(samples::route(1));
-  route.header().schema_version(3);
-  EXPECT_THAT(refusal(route), HasSubstr("schema_version = 3"));
+  route.header().schema_version(2);
+  EXPECT_THAT(refusal(route), HasSubstr("schema_version = 2"));
 }
 
 TEST(Convert, NotFiniteIsRefusedEverywhere) {

@@ -33,7 +33,8 @@ inline bool same(const Uav& a, const Uav& b) {
 inline bool same(const AuctionSettings& a, const AuctionSettings& b) {
   return a.policy == b.policy && a.score == b.score && same(a.discount_per_s, b.discount_per_s) &&
          a.split_m == b.split_m && a.max_tasks == b.max_tasks && a.bundle_limit == b.bundle_limit &&
-         a.tick_ns == b.tick_ns && a.lease_ns == b.lease_ns && a.barrier_ns == b.barrier_ns;
+         a.audit_bids == b.audit_bids && a.tick_ns == b.tick_ns && a.lease_ns == b.lease_ns &&
+         a.barrier_ns == b.barrier_ns;
 }
 inline bool same(const Mission& a, const Mission& b) {
   return a.id == b.id && a.name == b.name && same(a.arcs, b.arcs) && same(a.fleet, b.fleet) &&

@@ -70,7 +70,16 @@ inline Mission mission(std::uint32_t arcs = 2, std::uint32_t waypoints = 3) {
     out.arcs.push_back(arc);
   }
   out.fleet = {{AgentId{1}, {1, 2, 3}, 1.5}, {AgentId{5}, {-1, -2, -0.0}, 2.5}};
-  out.auction = {PolicyKind::cbba, ScoreKind::discounted_insert_warped, 0.03, 4.5, 900, 7, 1'000, 2'000, 3'000};
+  out.auction = {PolicyKind::cbba,
+                 ScoreKind::discounted_insert_warped,
+                 0.03,
+                 4.5,
+                 900,
+                 7,
+                 false,
+                 1'000,
+                 2'000,
+                 3'000};
   out.tour = {1ULL << 63, 42};
   return out;
 }

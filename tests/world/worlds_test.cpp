@@ -101,6 +101,31 @@ TEST(Worlds, EndThoughAgentsTalkEndlesslyAndAreSaidNotToRest) {
   EXPECT_LT(result.agreed_ns, 1'000'000) << "virtual time alone would not have ended it";
 }
 
+/// Seed 1 of worlds in which nothing happens but that somebody bids over everybody.
+WorldSpec over_bid_world(PolicyKind policy, bool audited) {
+  WorldSettings settings = load_worlds(configs / "sim.yaml");
+  settings.policies = {policy};
+  settings.topologies = {TopologyKind::complete};
+  settings.odds = {};
+  settings.odds[static_cast<std::size_t>(WorldFault::over_bid)] = 1;
+  settings.agents = {4, 6};
+  WorldSpec spec = make_world(settings, 1);
+  spec.mission.auction.audit_bids = audited;
+  return spec;
+}
+
+TEST(Worlds, RefuseOverBids) {
+  for (std::size_t p = 0; p < policy_names.size(); ++p) {
+    const auto policy = static_cast<PolicyKind>(p);
+    const WorldResult audited = run_world(over_bid_world(policy, true));
+    EXPECT_TRUE(audited.agreed && audited.violations.empty()) << text(audited);
+    EXPECT_GE(audited.refused, 3u) << "by everybody else";
+    const WorldResult unaudited = run_world(over_bid_world(policy, false));
+    ASSERT_FALSE(unaudited.violations.empty()) << policy_names[p];
+    EXPECT_EQ(unaudited.violations[0].checker, "refusal");
+  }
+}
+
 TEST(Worlds, LoseNothingWithoutFaults) {
   WorldSettings settings = load_worlds(configs / "sim.yaml");
   const PricedResult result = run_priced(worlds_of(settings), 7);

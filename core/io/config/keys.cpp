@@ -188,6 +188,8 @@ Keys<AuctionSettings> auction_keys() {
           "Most pieces; the piece length is raised, with a warning, to keep it."),
       key("bundle_limit", &A::bundle_limit, number<std::uint32_t>(0, 100000),
           "L_t: most pieces an agent takes; 0: no limit."),
+      key("audit_bids", &A::audit_bids, boolean(),
+          "Recompute what others bid, and refuse bids that are false; see FAULTS.md."),
       key("tick_ms", &A::tick_ns, milliseconds(1, 10000),
           "Least time between two rounds of one agent."),
       key("lease_ms", &A::lease_ns, milliseconds(250, 600000),

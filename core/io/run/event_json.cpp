@@ -96,6 +96,7 @@ json to_json(const Mission& mission) {
             {"split_m", a.split_m ? json(*a.split_m) : json(nullptr)},
             {"max_tasks", a.max_tasks},
             {"bundle_limit", a.bundle_limit},
+            {"audit_bids", a.audit_bids},
             {"tick_ns", a.tick_ns},
             {"lease_ns", a.lease_ns},
             {"barrier_ns", a.barrier_ns}}},

@@ -63,6 +63,11 @@ std::uint64_t JsonPlace::whole(std::uint64_t most) const {
   return value_->get<std::uint64_t>();
 }
 
+bool JsonPlace::truth() const {
+  if (!value_->is_boolean()) refuse("true or false");
+  return value_->get<bool>();
+}
+
 std::string JsonPlace::text() const {
   if (!value_->is_string()) refuse("text");
   return value_->get<std::string>();

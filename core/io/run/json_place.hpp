@@ -22,6 +22,7 @@ class JsonPlace {
 
   double number() const;                       ///< finite
   std::uint64_t whole(std::uint64_t most) const;  ///< an integer in [0, most]
+  bool truth() const;
   std::string text() const;
   std::uint64_t hex() const;  ///< a 64-bit number as hexadecimal text
 

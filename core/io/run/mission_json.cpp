@@ -66,6 +66,7 @@ AuctionSettings auction_of(const JsonPlace& place) {
   if (!place.at("split_m").is_null()) out.split_m = place.at("split_m").number();
   out.max_tasks = whole_32(place.at("max_tasks"));
   out.bundle_limit = whole_32(place.at("bundle_limit"));
+  out.audit_bids = place.at("audit_bids").truth();
   out.tick_ns = time_ns(place.at("tick_ns"));
   out.lease_ns = time_ns(place.at("lease_ns"));
   out.barrier_ns = time_ns(place.at("barrier_ns"));

@@ -18,8 +18,6 @@ class StatementChecker {
   StatementChecker(std::size_t tasks, Findings& findings) : tasks_(tasks), findings_(findings) {}
 
   void after(const Step& step);
-  /// A false statement that somebody really sends: to the others it is a bid like any.
-  void stated(const Statement& statement) { note_bids(statement.agent, statement.body); }
 
  private:
   struct Said {
