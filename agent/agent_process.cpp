@@ -29,11 +29,15 @@ AgentProcess::AgentProcess(ProcessOptions options)
 Exit AgentProcess::run() {
   while (!all_done() && !stop_requested()) {
     bus_.wait(wait_ns());
-    for (const auto& agent : agents_) agent->turn();
+    for (const auto& agent : agents_) {
+      if (agent->done()) continue;
+      agent->turn();
+      if (agent->done()) agent->finish();
+    }
   }
   Exit exit = Exit::done;
   for (const auto& agent : agents_) {
-    agent->finish();
+    if (!agent->done()) agent->finish();
     exit = std::max(exit, agent->done().value_or(Exit::done));
   }
   return exit;
@@ -46,7 +50,8 @@ bool AgentProcess::all_done() const {
 
 std::chrono::nanoseconds AgentProcess::wait_ns() const {
   TimeNs wait = longest_wait_ns;
-  for (const auto& agent : agents_) wait = std::min(wait, agent->wait_ns());
+  for (const auto& agent : agents_)
+    if (!agent->done()) wait = std::min(wait, agent->wait_ns());
   return std::chrono::nanoseconds(wait);
 }
 

@@ -25,36 +25,6 @@ constexpr int tour_niceness = 10;
 constexpr TimeNs ask_interval_ns = 200'000'000;
 constexpr TimeNs traffic_interval_ns = 500'000'000;
 
-constexpr TimeNs write_interval_ns = 80'000'000;  // what a kill may lose of the log
-
-/// How what happened in a round is called in the log, and what is said of it.
-std::string_view kind_of(const Event& event) {
-  return kind(event);
-}
-std::string_view kind_of(const DecisionMade&) {
-  return "decision";
-}
-std::string_view kind_of(const Agreement&) {
-  return "agreed";
-}
-std::string_view kind_of(const BidMessage&) {
-  return "sent_bid";
-}
-std::string_view kind_of(const RelayMessage&) {
-  return "sent_relay";
-}
-std::string_view kind_of(const StatusMessage&) {
-  return "sent_status";
-}
-json to_body(const Event& event) {
-  json body = to_json(event);
-  body["now_ns"] = event.now_ns;
-  return body;
-}
-json to_body(const auto& what) {
-  return to_json(what);
-}
-
 double seconds(TimeNs ns) {
   return static_cast<double>(ns) * 1e-9;
 }
@@ -71,28 +41,32 @@ HostedAgent::HostedAgent(AgentOptions options, SharedBus& bus)
     : options_(std::move(options)),
       bus_(bus),
       report_(fmt::format("agent {}", options_.id.value), options_.json_events, options_.id),
-      incarnation_(birth_stamp_ms()) {
-  if (options_.run) {
-    // A life has its own log: an agent that comes back must not write over what its last life left.
-    log_.emplace(*options_.run / "logs" /
-                 fmt::format("agent_{}.{}.sqlite", options_.id.value, incarnation_));
-    log_->meta("schema", 1);
-    log_->meta("process", {{"role", "agent"},
-                           {"agent", options_.id.value},
-                           {"incarnation", hex(incarnation_)},
-                           {"pid", getpid()},
-                           {"version", ARCBID_VERSION}});
-    log_->commit();
-  }
+      incarnation_(birth_stamp_ms()),
+      log_(log_file(), [this](const std::string& why) {
+        report_("warning", {{"text", why}});
+      }) {
+  log_.meta("schema", 1);
+  log_.meta("process", {{"role", "agent"},
+                        {"agent", options_.id.value},
+                        {"incarnation", hex(incarnation_)},
+                        {"pid", getpid()},
+                        {"version", ARCBID_VERSION}});
+  log_.commit();
   report_("up", {{"pid", getpid()}});
+}
+
+/// A life has its own log: an agent that comes back must not write over what its last life left.
+std::optional<std::filesystem::path> HostedAgent::log_file() const {
+  if (!options_.run) return std::nullopt;
+  return *options_.run / "logs" /
+         fmt::format("agent_{}.{}.sqlite", options_.id.value, incarnation_);
 }
 
 void HostedAgent::turn() {
   for (const Received& received : bus_.take(options_.id)) {
-    if (done_) break;
     std::visit([this](const auto& message) { handle(message); }, received);
+    if (done_) return;
   }
-  if (done_) return;
   hear_what_is_due();
   if (clock_ns() >= wake_ns_) {
     if (agent_)
@@ -102,13 +76,13 @@ void HostedAgent::turn() {
   }
   say_what_is_malformed();
   fly_if_planned();
-  write_if_due();
+  log_.write_if_due(now_ns());
   report_traffic(false);
 }
 
 void HostedAgent::finish() {
   report_traffic(true);
-  log("end", {{"by", ended_by_}});
+  log_.write(now_ns(), "end", {{"by", ended_by_}});
 }
 
 TimeNs HostedAgent::clock_ns() const {
@@ -119,8 +93,7 @@ TimeNs HostedAgent::wait_ns() const {
   TimeNs wait = wake_ns_ - clock_ns();
   if (links_ && links_->next_ns()) wait = std::min(wait, *links_->next_ns() - now_ns());
   if (malformer_ && malformer_->next_ns()) wait = std::min(wait, *malformer_->next_ns() - now_ns());
-  if (!unwritten_.empty())
-    wait = std::min(wait, unwritten_.front().at_ns + write_interval_ns - now_ns());
+  if (log_.due_ns()) wait = std::min(wait, *log_.due_ns() - now_ns());
   return std::max<TimeNs>(wait, 0);
 }
 
@@ -135,7 +108,7 @@ void HostedAgent::say_what_is_malformed() {
   if (!malformer_) return;
   const Malformer::Speech speech = malformer_->due(now_ns());
   for (const auto& [how, message] : speech.messages) {
-    log("sent_malformed", {{"what", name_of(how)}, {"message", to_json(message)}});
+    log_.write(now_ns(), "sent_malformed", {{"what", name_of(how)}, {"message", to_json(message)}});
     bus_.publish(options_.id, message);
   }
   if (!speech.ends) return;
@@ -173,7 +146,7 @@ void HostedAgent::handle(const Mission& mission) {
   transit_ = std::make_shared<const StraightTransit>();
   agent_ = std::make_unique<Agent>(options_.id, incarnation_, mission_, transit_, clock_ns());
   install_faults();
-  log("mission", to_json(mission));
+  log_.write(now_ns(), "mission", to_json(mission));
   report_("mission", {{"arcs", mission.arcs.size()}, {"tasks", agent_->tasks().tasks.size()}});
   for (const std::string& warning : agent_->tasks().warnings)
     report_("warning", {{"text", warning}});
@@ -193,14 +166,15 @@ void HostedAgent::install_faults() {
 
 void HostedAgent::handle(const ControlMessage& control) {
   if (!mission_ || control.mission_digest != mission_digest_) return;  // another mission's
-  log("control", {{"command", static_cast<int>(control.command)}, {"reason", control.reason}});
+  log_.write(now_ns(), "control",
+             {{"command", static_cast<int>(control.command)}, {"reason", control.reason}});
   ended_by_ = "coordinator";
   done_ = control.command == Command::complete ? Exit::done : Exit::check_failed;
 }
 
 void HostedAgent::handle(const Malformed& malformed) {
   const std::string reason = fmt::format("{}: {}", malformed.topic, malformed.reason);
-  log("refused", {{"reason", reason}});  // the bus has counted it
+  log_.write(now_ns(), "refused", {{"reason", reason}});  // the bus has counted it
   report_("refused", {{"reason", reason}});
 }
 
@@ -209,7 +183,8 @@ void HostedAgent::handle(const Message& message) {
   if (message.header.sender == options_.id) meet_namesake(message.header);
   if (links_) {
     if (!links_->arrived(message, payload_size(message), now_ns()))
-      log("lost", {{"sender", message.header.sender.value}, {"sequence", message.header.sequence}});
+      log_.write(now_ns(), "lost",
+                 {{"sender", message.header.sender.value}, {"sequence", message.header.sequence}});
   } else if (agent_) {
     step({clock_ns(), message});
   }
@@ -228,57 +203,30 @@ void HostedAgent::meet_namesake(const Header& header) {
 
 void HostedAgent::refuse(const std::string& reason) {
   ++refused_;
-  log("refused", {{"reason", reason}});
+  log_.write(now_ns(), "refused", {{"reason", reason}});
   report_("refused", {{"reason", reason}});
 }
 
-/// Rounds do not wait for the log: what they leave is written together, within a short time.
-void HostedAgent::write_if_due() {
-  if (!unwritten_.empty() && now_ns() - unwritten_.front().at_ns < write_interval_ns) return;
-  write_up();
-  if (log_) log_->commit_if_due(now_ns());
-}
-
-void HostedAgent::write_up() {
-  for (const Unwritten& record : std::exchange(unwritten_, {}))
-    std::visit([&](const auto& what) { append(record.at_ns, kind_of(what), to_body(what)); },
-               record.what);
-}
-
-void HostedAgent::log(std::string_view kind, const json& body) {
-  write_up();
-  append(now_ns(), kind, body);
-}
-
-/// A log that can no longer be written costs the log, not the drone.
-void HostedAgent::append(TimeNs at_ns, std::string_view kind, const json& body) {
-  if (!log_) return;
-  try {
-    log_->append(at_ns, kind, body);
-  } catch (const RunError& error) {
-    log_.reset();
-    report_("warning", {{"text", error.what()}});
-  }
-}
-
 void HostedAgent::step(Event event) {
-  if (log_) unwritten_.push_back({now_ns(), event});
+  log_.keep(now_ns(), event);
   Update update = agent_->step(event);
   if (update.agreed) agreed_s_ = seconds(now_ns());
   carry_out(update);
   if (update.decision || !update.died.empty()) winners_ = agent_->winners();
 }
 
+void HostedAgent::keep(const Update& update) {
+  const TimeNs now = now_ns();
+  if (update.decision) log_.keep(now, *update.decision);
+  for (const auto& m : update.bids) log_.keep(now, m);
+  for (const auto& m : update.relays) log_.keep(now, m);
+  for (const auto& m : update.statuses) log_.keep(now, m);
+  if (update.agreed) log_.keep(now, *update.agreed);
+}
+
 void HostedAgent::carry_out(Update& update) {
   wake_ns_ = update.wake_ns;
-  const auto record = [this](const auto& what) {
-    if (log_) unwritten_.push_back({now_ns(), what});
-  };
-  if (update.decision) record(*update.decision);
-  for (const auto& m : update.bids) record(m);
-  for (const auto& m : update.relays) record(m);
-  for (const auto& m : update.statuses) record(m);
-  if (update.agreed) record(*update.agreed);
+  keep(update);
   for (const auto& bid : update.bids) {
     bus_.publish(options_.id, bid);
     if (malformer_) malformer_->said(bid);
@@ -296,7 +244,7 @@ void HostedAgent::carry_out(Update& update) {
 
 void HostedAgent::report(const Update& update) {
   const auto say = [this](std::string_view event, const json& fields) {
-    log(event, fields);
+    log_.write(now_ns(), event, fields);
     report_(event, fields);
   };
   if (update.started) say("started", {{"time_s", seconds(now_ns())}});
@@ -322,7 +270,7 @@ void HostedAgent::release(const std::vector<AgentId>& dead) {
     for (std::uint32_t j = 0; j < winners_.size(); ++j)
       if (winners_[j].winner == agent) tasks.push_back(j);
     const json fields{{"agent", agent.value}, {"tasks", tasks}};
-    log("released", fields);
+    log_.write(now_ns(), "released", fields);
     report_("released", fields);
   }
 }
@@ -369,11 +317,12 @@ void HostedAgent::publish(const Agreement& agreement, const Route& route) {
   message.length_m = route.length_m;
   message.time_s = route.time_s;
   message.legs = route.legs;
-  log("sent_route", {{"view_hash", hex(agreement.view_hash)},
-                     {"length_m", route.length_m},
-                     {"time_s", route.time_s},
-                     {"legs", route.legs.size()}});
-  if (log_) log_->commit();
+  log_.write(now_ns(), "sent_route",
+             {{"view_hash", hex(agreement.view_hash)},
+              {"length_m", route.length_m},
+              {"time_s", route.time_s},
+              {"legs", route.legs.size()}});
+  log_.commit();
   bus_.publish(options_.id, message);
   report_("routed",
           {{"view_hash", hex(agreement.view_hash)}, {"members", count(agreement.members)}});
@@ -388,7 +337,7 @@ void HostedAgent::report_traffic(bool last) {
                     {"received", traffic.received},
                     {"dropped", traffic.dropped + refused_},
                     {"bytes", traffic.bytes_sent}};
-  if (last) log("traffic", fields);
+  if (last) log_.write(now_ns(), "traffic", fields);
   report_("traffic", fields);
   report_links(last);
 }
@@ -404,7 +353,7 @@ void HostedAgent::report_links(bool last) {
                     {"delayed", c.delayed},
                     {"duplicated", c.duplicated},
                     {"bytes", c.bytes}});
-  if (last) log("links", from);
+  if (last) log_.write(now_ns(), "links", from);
   report_("links", {{"links", from}});
 }
 

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "agent/agent_log.hpp"
 #include "agent/faulty_links.hpp"
 #include "agent/malformer.hpp"
 #include "agent/shared_bus.hpp"
@@ -13,7 +14,6 @@
 #include "core/faults/schedule.hpp"
 #include "core/faults/tier.hpp"
 #include "core/io/process/process.hpp"
-#include "core/io/run/run_log.hpp"
 #include "core/route/route.hpp"
 
 namespace arcbid {
@@ -63,11 +63,8 @@ class HostedAgent {
   void start_planning();
   void fly_if_planned();
   void publish(const Agreement& agreement, const Route& route);
-  /// Into the log, after what is still unwritten.
-  void log(std::string_view kind, const nlohmann::json& body);
-  void append(TimeNs at_ns, std::string_view kind, const nlohmann::json& body);
-  void write_up();
-  void write_if_due();
+  std::optional<std::filesystem::path> log_file() const;
+  void keep(const Update& update);
   void refuse(const std::string& reason);
   void meet_namesake(const Header& header);
   void ask_for_mission();
@@ -77,12 +74,12 @@ class HostedAgent {
   AgentOptions options_;
   SharedBus& bus_;
   Reporter report_;
-  std::optional<RunLog> log_;
   const std::uint64_t incarnation_;
+  AgentLog log_;
   std::shared_ptr<const Mission> mission_;
   std::shared_ptr<const Transit> transit_;
-  std::unique_ptr<Agent> agent_;      // once the mission is known
-  std::optional<FaultyLinks> links_;  // likewise, when there are faults of messages
+  std::unique_ptr<Agent> agent_;        // once the mission is known
+  std::optional<FaultyLinks> links_;    // likewise, when there are faults of messages
   std::optional<Malformer> malformer_;  // likewise, when there are faults
   std::uint64_t mission_digest_ = 0;
   std::vector<Belief> winners_;  // as of the last decision: what the dead had won
@@ -90,11 +87,6 @@ class HostedAgent {
   // this agent lives.
   std::optional<Agreement> to_plan_;  // the newest agreement, until its route is published
   double agreed_s_ = 0;
-  struct Unwritten {
-    TimeNs at_ns = 0;
-    std::variant<Event, DecisionMade, Agreement, BidMessage, RelayMessage, StatusMessage> what;
-  };
-  std::vector<Unwritten> unwritten_;  // what rounds left for the log
   struct Planned {
     std::uint64_t view_hash = 0;
     Route route;

@@ -75,6 +75,8 @@ int main(int argc, char** argv) {
     if (fault_tier == name_of(FaultTier::packets)) options.fault_tier = FaultTier::packets;
     if (options.epoch_ns == 0) options.epoch_ns = monotonic_ns();
     ProcessOptions process{config.network, domain_of(domain, config), fleet_size(config), {}};
+    if (ids.size() > 1 && options.fault_tier == FaultTier::packets)
+      throw InputError("--fault-tier packets: acts on a process's packets; give it one --id only");
     for (const AgentId id : members(ids, fleet, config_file)) {
       options.id = id;
       process.agents.push_back(options);

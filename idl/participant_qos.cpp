@@ -28,6 +28,7 @@ namespace rtps = eprosima::fastrtps::rtps;
 using eprosima::fastrtps::Duration_t;
 
 constexpr std::string_view kAgentRole = "arcbid/agent", kCoordinatorRole = "arcbid/coordinator";
+constexpr std::size_t longest_name = 255;  // Fast DDS cuts off the rest without a word
 constexpr std::uint32_t kSocketBuffer = 4 << 20;
 // Server 0 as `fast-discovery-server -i 0` announces itself.
 constexpr const char* kServerPrefix = "44.53.00.5f.45.50.52.4f.53.49.4d.41";
@@ -86,7 +87,13 @@ std::string name_of(const std::vector<AgentId>& agents) {
   if (agents.empty()) return "arcbid-coordinator";
   std::vector<std::uint32_t> ids;
   for (const AgentId agent : agents) ids.push_back(agent.value);
-  return fmt::format("arcbid-agent-{}", fmt::join(ids, ","));
+  const std::string name = fmt::format("arcbid-agent-{}", fmt::join(ids, ","));
+  if (name.size() > longest_name)
+    throw InputError(fmt::format(
+        "{} agents in one process: their ids take {} characters, and a participant's name has {}; "
+        "lower fleet.agents_per_process",
+        ids.size(), name.size(), longest_name));
+  return name;
 }
 
 void set_identity(dds::DomainParticipantQos& qos, const std::vector<AgentId>& agents,

@@ -60,7 +60,7 @@ struct AuctionSettings {
   std::uint32_t max_tasks = 1000;      ///< limit on |T|; the piece length is raised to keep it.
   std::uint32_t bundle_limit = 0;      ///< L_t: most tasks an agent takes; 0: no limit.
   bool audit_bids = true;              ///< recompute what others bid, and refuse what is false.
-  TimeNs tick_ns = 20'000'000;         ///< least time between two rounds of one agent.
+  TimeNs tick_ns = 20'000'000;         ///< longest time a round waits for those who are silent.
   TimeNs lease_ns = 2'000'000'000;     ///< silence after which an agent counts as dead.
   TimeNs barrier_ns = 10'000'000'000;  ///< how long the start waits for the whole roster.
 };

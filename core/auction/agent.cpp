@@ -240,6 +240,7 @@ void Agent::decide(Update& update) {
   const Decision decision = policy_->decide(view_);
   ++round_;
   decided_ns_ = now_ns_;
+  round_was_told_ = false;
   undecided_ = !decision.settled;
   if (decision.changed) {
     state(view_.key(me_).version + 1);

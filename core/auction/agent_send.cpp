@@ -48,7 +48,7 @@ void Agent::tell_what_is_held(StatusMessage& status) const {
 /// one, when all have answered and there is nothing to decide: it is ready then.
 bool Agent::round_is_reported(const Update& update) const {
   if (update.decision) return update.bids.empty();
-  return !undecided_ && phase_ == Phase::auction && status_sent_ns_ < decided_ns_ &&
+  return !undecided_ && phase_ == Phase::auction && !round_was_told_ &&
          round_is_over();
 }
 
@@ -69,6 +69,7 @@ void Agent::send(Update& update) {
   message.header = header();
   update.statuses.push_back(std::move(message));
   status_is_news_ = false;
+  round_was_told_ = true;
   status_sent_ns_ = now_ns_;
   if (!whole) return;
   whole_sent_ns_ = now_ns_;

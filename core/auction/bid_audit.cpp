@@ -36,8 +36,7 @@ std::optional<std::string> BidAudit::refusal(const Statement& statement) {
 std::optional<std::string> BidAudit::refusal(std::size_t author, const Claims& claims) {
   const std::vector<Claim>& bundle = claims.bundle;
   if (bundle.empty()) return {};
-  if (!replays_[author])
-    replays_[author] = make_replay(set_, fleet_[author], settings_, transit_);
+  if (!replays_[author]) replays_[author] = make_replay(set_, fleet_[author], settings_, transit_);
   BundleReplay& replay = *replays_[author];
   const auto same =
       std::mismatch(bundle.begin(), bundle.end(), replay.claims().begin(), replay.claims().end(),
@@ -49,7 +48,8 @@ std::optional<std::string> BidAudit::refusal(std::size_t author, const Claims& c
     const Claim& stated = bundle[n];
     const double allowed = n < kept ? replay.claims()[n].bid : replay.bid(stated.task);
     largest = std::max(largest, std::abs(allowed));
-    if (std::abs(stated.bid - allowed) > tolerance * largest)
+    // Not "greater": a bid that comes to NaN allows nothing.
+    if (!(std::abs(stated.bid - allowed) <= tolerance * largest))
       return fmt::format("agent {} bids {} for task {}, where its path allows {}",
                          fleet_[author].id.value, stated.bid, stated.task.value, allowed);
     if (n >= kept) replay.take(stated.task);
@@ -76,7 +76,7 @@ std::optional<std::string> BidAudit::refusal(std::size_t author, const Table& ta
     const Belief& belief = table.beliefs[j];
     if (!belief.winner) continue;
     const double allowed = most(position(*belief.winner))[j];
-    if (belief.bid - allowed > tolerance * std::abs(allowed))
+    if (!(belief.bid - allowed <= tolerance * std::abs(allowed)))
       return fmt::format("agent {} believes that agent {} bid {} for task {}, at most {} is true",
                          fleet_[author].id.value, belief.winner->value, belief.bid, j, allowed);
   }

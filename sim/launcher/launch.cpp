@@ -49,7 +49,11 @@ void require_own_processes(const LaunchOptions& options) {
   const std::vector<AgentFault>& faults = options.faults->agents;
   for (std::size_t n = 0; n < faults.size(); ++n) {
     using Kind = AgentFaultKind;
-    const bool on_process = faults[n].kind != Kind::clock && faults[n].kind != Kind::malformed;
+    // Who bids over everybody ends its process.
+    const bool ends =
+        faults[n].kind == Kind::malformed && faults[n].malformation == Malformation::over_bid;
+    const bool on_process =
+        ends || (faults[n].kind != Kind::clock && faults[n].kind != Kind::malformed);
     if (on_process && faults[n].agent != AgentId{0})
       throw InputError(fmt::format(
           "agents[{}] of the fault schedule: is done to the process of agent {}, but "

@@ -134,6 +134,8 @@ LiveRun read_run(const Path& directory) {
   check_published(directory, run.mission);
   std::stable_sort(run.lives.begin(), run.lives.end(),
                    [](const LiveLife& a, const LiveLife& b) { return a.born_ns < b.born_ns; });
+  if (result.has("fault_tier") && result.at("fault_tier").text() == "packets")
+    run.left_out.push_back("that the faults of links acted on packets: here they act on messages");
   if (result.has("faults"))
     run.schedule = load_faults((directory / "faults.yaml").string(), ids_of(run.mission));
   return run;

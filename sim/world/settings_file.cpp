@@ -71,7 +71,7 @@ Keys<WorldSettings> auction_keys() {
       field<W>("bundle_limit", &W::bundle_limit, yaml::number<double>(0, 1),
                "Odds that an agent may take only so many tasks."),
       field<W>("tick_ms", &W::tick_ns, yaml::milliseconds(1, 10000),
-               "Least time between two rounds of one agent."),
+               "Longest time that a round waits for those who do not speak."),
       field<W>("lease_ms", &W::lease_ns, range_of(yaml::milliseconds(50, 60000)),
                "Silence after which an agent counts as dead."),
   };

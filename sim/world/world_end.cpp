@@ -11,7 +11,7 @@ namespace {
 
 // docs/SIMULATOR.md, "The bound".
 constexpr std::size_t hop_ticks = 17;  // patience of a relay, its spread, and the next decision
-constexpr TimeNs least_tick_ns = 1'000'000;
+constexpr TimeNs least_round_ns = 1'000'000;
 constexpr std::uint64_t copies = 3;      // of a message: doubled, or stale
 constexpr std::size_t extra_rounds = 3;  // a refutation there, its answer back, and the proof
 
@@ -82,10 +82,12 @@ TimeNs World::bound_ns(std::size_t diameter) const {
 /// a relay for everybody else, and all of it reaches everybody in three copies.
 std::uint64_t World::most_steps() const {
   const std::uint64_t lives = script_.size();  // every life has an act: its start
-  const TimeNs tick_ns = std::max<TimeNs>(spec_.mission.auction.tick_ns, least_tick_ns);
+  // A round ends with a tick, or sooner: when everybody's message is there.
+  const TimeNs soonest_ns = std::min(spec_.mission.auction.tick_ns, spec_.latency_ns.least);
+  const TimeNs round_ns = std::max<TimeNs>(soonest_ns, least_round_ns);
   const TimeNs longest_ns = std::max(calm_ns_, network_.last_arrival_ns()) + bound_ns(lives);
-  const auto ticks = static_cast<std::uint64_t>(longest_ns / tick_ns) + 1;
-  return ticks * lives * (1 + copies * (lives + 2) * lives);
+  const auto rounds = static_cast<std::uint64_t>(longest_ns / round_ns) + 1;
+  return rounds * lives * (1 + copies * (lives + 2) * lives);
 }
 
 std::vector<Bidder> World::bidders(const Component& component) const {

@@ -58,7 +58,8 @@ TEST(Malformer, LeavesTheFaultsOfOthersToThem) {
 }
 
 TEST(Malformer, SaysOneOfEachATickUntilItsCount) {
-  Malformer two = under({fault(Malformation::wrong_mission, 0, 2), fault(Malformation::wrong_tasks, 10, 1)});
+  Malformer two =
+      under({fault(Malformation::wrong_mission, 0, 2), fault(Malformation::wrong_tasks, 10, 1)});
   two.said(bid(1));
   EXPECT_THAT(kinds(two.due(0)), ElementsAre(Malformation::wrong_mission));
   EXPECT_EQ(two.next_ns(), 10);

@@ -66,7 +66,7 @@ Config legal_config() {
   if (*rc::gen::arbitrary<bool>()) c.coverage.ground_m = number(-1e5, 1e5);
   c.coverage.rows = *rc::gen::element(RowSide::short_side, RowSide::long_side);
   c.coverage.seed = *rc::gen::arbitrary<std::uint32_t>();
-  c.fleet = {*rc::gen::inRange(1u, 65u), number(0.1, 30), uavs()};
+  c.fleet = {*rc::gen::inRange(1u, 65u), *rc::gen::inRange(1u, 65u), number(0.1, 30), uavs()};
   if (!c.fleet.uavs.empty()) c.fleet.agents = static_cast<std::uint32_t>(c.fleet.uavs.size());
   c.auction.policy =
       *rc::gen::element(PolicyKind::claims, PolicyKind::claims_keep, PolicyKind::cbba,

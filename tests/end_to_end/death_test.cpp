@@ -10,12 +10,17 @@
 namespace arcbid::testing {
 namespace {
 
-/// Slow rounds and many tasks, so that there is an auction to die in.
+/// Rounds go as fast as the network: one that takes its time leaves an auction to die in.
+std::filesystem::path slow_network(const Scratch& scratch) {
+  return scratch.file("delays.yaml", "links: [{delay: {kind: fixed, least_ms: 120}}]\n");
+}
+
+/// Many tasks.
 std::filesystem::path slow_config(const Scratch& scratch) {
   return scratch.file("slow.yaml",
                       "name: slow\n"
                       "fleet: {agents: 4}\n"
-                      "auction: {split_m: 5, tick_ms: 150, lease_ms: 1500, barrier_ms: 5000}\n"
+                      "auction: {split_m: 5, tick_ms: 400, lease_ms: 1500, barrier_ms: 5000}\n"
                       "timeout_s: 60\n");
 }
 
@@ -29,7 +34,8 @@ class DeathAt : public ::testing::TestWithParam<Moment> {};
 
 TEST_P(DeathAt, OfAnAgentIsNoticedAndItsWorkIsDoneByTheOthers) {
   const Scratch scratch;
-  Launched run({"run", slow_config(scratch).string(), "--out", (scratch / "run").string()});
+  Launched run({"run", slow_config(scratch).string(), "--faults", slow_network(scratch).string(),
+                "--out", (scratch / "run").string()});
   const auto processes = processes_of(scratch / "run");
   ASSERT_TRUE(run.wait_for(GetParam().line, 30)) << run.output();
   std::this_thread::sleep_for(std::chrono::milliseconds(GetParam().delay_ms));
@@ -102,7 +108,9 @@ TEST(Timeout, IsToldOnceAndIsAFailure) {
   const Scratch scratch;
   const auto config =
       scratch.file("short.yaml", "auction: {tick_ms: 400, lease_ms: 2000}\ntimeout_s: 1\n");
-  Launched run({"run", config.string(), "--out", (scratch / "run").string()});
+  const auto silence = scratch.file("silence.yaml", "links: [{loss: 1}]\n");
+  Launched run({"run", config.string(), "--faults", silence.string(), "--out",
+                (scratch / "run").string()});
   EXPECT_EQ(run.wait_for_end(40), 1) << run.output();
   EXPECT_NE(run.output().find("given up: not done after 1"), std::string::npos) << run.output();
   EXPECT_EQ(run.output().find("take over"), std::string::npos) << run.output();

@@ -67,6 +67,30 @@ TEST(Mission, PublishedCbbaDoesTheSameJob) {
   expect_checked(read_json(scratch / "run/result.json"), 4);
 }
 
+TEST(Mission, AgentsMayShareAProcess) {
+  const Scratch scratch;
+  const auto config =
+      scratch.file("shared.yaml", "name: shared\nfleet: {agents: 5, agents_per_process: 2}\n");
+  Launched run({"run", config.string(), "--out", (scratch / "run").string()});
+  ASSERT_EQ(run.wait_for_end(60), 0) << run.output();
+  expect_checked(read_json(scratch / "run/result.json"), 5);
+  std::set<std::string> names;
+  for (const auto& [name, pid] : processes_of(scratch / "run")) names.insert(name);
+  EXPECT_EQ(names, (std::set<std::string>{"coordinator", "agents 1,2", "agents 3,4", "agent 5"}));
+}
+
+TEST(Mission, NoFaultIsDoneToAProcessThatAgentsShare) {
+  const Scratch scratch;
+  const auto config =
+      scratch.file("shared.yaml", "name: shared\nfleet: {agents: 4, agents_per_process: 2}\n");
+  Launched killed(
+      {"run", config.string(), "--faults", "crash", "--out", (scratch / "run").string()});
+  EXPECT_EQ(killed.wait_for_end(30), 2) << killed.output();
+  Launched packets({"run", config.string(), "--faults", "lossy_10", "--fault-tier", "packets",
+                    "--out", (scratch / "run").string()});
+  EXPECT_EQ(packets.wait_for_end(30), 2) << packets.output();
+}
+
 TEST(Mission, OneAgentNeedsNobody) {
   const Scratch scratch;
   Launched run({"run", demo_config(), "--agents", "1", "--out", (scratch / "run").string()});

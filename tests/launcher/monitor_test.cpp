@@ -38,6 +38,14 @@ TEST_F(MonitorTest, HasAnOutcomeOnceEveryMemberIsRoutedUnderOneAgreement) {
   EXPECT_DOUBLE_EQ(outcome->agreed_s, 1.5);
 }
 
+TEST_F(MonitorTest, CountsTheAuctionFromTheFirstStart) {
+  for (const std::uint32_t id : {1u, 2u, 3u})
+    monitor.heard(id, {{"event", "started"}, {"time_s", 0.4 - 0.1 * id}});
+  for (const std::uint32_t id : {1u, 2u, 3u}) finish(id, "a", {1, 2, 3});
+  ASSERT_TRUE(monitor.outcome());
+  EXPECT_DOUBLE_EQ(monitor.outcome()->auction_s, 1.5 - 0.1);
+}
+
 TEST_F(MonitorTest, DoesNotMixTwoAgreements) {
   finish(1, "a", {1, 2, 3});
   finish(2, "b", {1, 2, 3});

@@ -191,7 +191,9 @@ Keys<AuctionSettings> auction_keys() {
       key("audit_bids", &A::audit_bids, boolean(),
           "Recompute what others bid, and refuse bids that are false; see FAULTS.md."),
       key("tick_ms", &A::tick_ns, milliseconds(1, 10000),
-          "Least time between two rounds of one agent."),
+          "Longest time that a round waits for those who do not speak, and least between two tries "
+          "to "
+          "say something again."),
       key("lease_ms", &A::lease_ns, milliseconds(250, 600000),
           "An agent that was not heard of for this long counts as dead; at least 3 ticks."),
       key("barrier_ms", &A::barrier_ns, milliseconds(0, 600000),
