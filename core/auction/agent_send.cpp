@@ -48,8 +48,7 @@ void Agent::tell_what_is_held(StatusMessage& status) const {
 /// one, when all have answered and there is nothing to decide: it is ready then.
 bool Agent::round_is_reported(const Update& update) const {
   if (update.decision) return update.bids.empty();
-  return !undecided_ && phase_ == Phase::auction && !round_was_told_ &&
-         round_is_over();
+  return !undecided_ && !round_was_told_ && round_is_over();
 }
 
 void Agent::send(Update& update) {
