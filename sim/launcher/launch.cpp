@@ -23,6 +23,7 @@
 #include "sim/launcher/fault_script.hpp"
 #include "sim/launcher/monitor.hpp"
 #include "sim/launcher/result.hpp"
+#include "sim/launcher/shared_processes.hpp"
 
 namespace arcbid {
 namespace {
@@ -35,31 +36,6 @@ constexpr double kSettleS = 0.5;    // for what a dead process sent last to arri
 std::string how_it_ended(const Child& child) {
   return child.ended_by_signal() ? fmt::format("was ended by signal {}", *child.ended_by_signal())
                                  : fmt::format("ended with exit code {}", *child.exit_code());
-}
-
-/// What is done to a process is done to all that share it: no schedule means that.
-void require_own_processes(const LaunchOptions& options) {
-  const std::uint32_t shared = options.config.fleet.agents_per_process;
-  if (!options.faults || shared == 1) return;
-  if (options.fault_tier == FaultTier::packets)
-    throw InputError(fmt::format(
-        "--fault-tier packets: acts on the packets of processes, but fleet.agents_per_process is "
-        "{}; only 1 gives every agent a process of its own",
-        shared));
-  const std::vector<AgentFault>& faults = options.faults->agents;
-  for (std::size_t n = 0; n < faults.size(); ++n) {
-    using Kind = AgentFaultKind;
-    // Who bids over everybody ends its process.
-    const bool ends =
-        faults[n].kind == Kind::malformed && faults[n].malformation == Malformation::over_bid;
-    const bool on_process =
-        ends || (faults[n].kind != Kind::clock && faults[n].kind != Kind::malformed);
-    if (on_process && faults[n].agent != AgentId{0})
-      throw InputError(fmt::format(
-          "agents[{}] of the fault schedule: is done to the process of agent {}, but "
-          "fleet.agents_per_process is {}; only 1 gives every agent a process of its own",
-          n, faults[n].agent.value, shared));
-  }
 }
 
 /// One run, from the first process to the last.
