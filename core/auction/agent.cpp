@@ -176,8 +176,11 @@ void Agent::view_changed(std::size_t member, Update& update) {
 }
 
 /// Somebody holds something in this agent's name that it did not say in this life: an old life, or
-/// a tombstone. It begins a new life above that.
+/// a tombstone. It begins a new life above that, once a tick at most: two processes of one id would
+/// outdo each other as fast as the network, and what is still held is heard of again.
 void Agent::refute(const StatementKey& claimed, Update& update) {
+  if (refuted_ns_ && now_ns_ - *refuted_ns_ < mission_->auction.tick_ns) return;
+  refuted_ns_ = now_ns_;
   incarnation_ = std::max(claimed.incarnation + 1, incarnation_);
   if (!view_.heard(me_)) return;  // nothing stated yet: the first statement will say it
   state(1);
