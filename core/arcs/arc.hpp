@@ -46,6 +46,19 @@ std::vector<Waypoint> reversed(std::vector<Waypoint> polyline);
 /// Digest over ids, kinds and all coordinates, bit for bit.
 std::uint64_t digest(const std::vector<Arc>& arcs);
 
+/// Points laid out for what is done to many of them at once.
+struct Points {
+  std::vector<double> x, y, z;
+
+  std::size_t size() const { return x.size(); }
+  Vec3 at(std::size_t n) const { return {x[n], y[n], z[n]}; }
+  void clear();
+  void insert(std::size_t before, const Vec3& point);
+  void push_back(const Vec3& point) { insert(size(), point); }
+  /// Puts the last one in the place of number `n`.
+  void remove(std::size_t n);
+};
+
 /// Travel between two points that belong to different arcs (eq. 2, second case), in metres. The
 /// auction, the tour and the final route all ask the same object. Must be a metric on the points
 /// asked for, except that asymmetric costs are allowed.
@@ -53,6 +66,10 @@ class Transit {
  public:
   virtual ~Transit() = default;
   virtual double length_m(const Vec3& from, const Vec3& to) const = 0;
+  /// The same for many at once, bit for bit: to each of `to`, and from each of `from`. `out` has
+  /// room for all.
+  virtual void lengths_m(const Vec3& from, const Points& to, double* out) const;
+  virtual void lengths_m(const Points& from, const Vec3& to, double* out) const;
   /// The way flown, both ends included.
   virtual std::vector<Vec3> way(const Vec3& from, const Vec3& to) const = 0;
 };
@@ -61,6 +78,8 @@ class Transit {
 class StraightTransit : public Transit {
  public:
   double length_m(const Vec3& from, const Vec3& to) const override { return (to - from).norm(); }
+  void lengths_m(const Vec3& from, const Points& to, double* out) const override;
+  void lengths_m(const Points& from, const Vec3& to, double* out) const override;
   std::vector<Vec3> way(const Vec3& from, const Vec3& to) const override { return {from, to}; }
 };
 

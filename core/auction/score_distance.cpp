@@ -2,10 +2,18 @@
 #include "core/auction/score_distance.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace arcbid {
+namespace {
+
+constexpr double rounding = 1e-9;  // of a sum of lengths: more than it ever comes to
+
+}  // namespace
+
+void DistanceScore::Lengths::resize(std::size_t size) {
+  for (auto* lengths : {&to_first, &to_last, &from_first, &from_last}) lengths->resize(size);
+}
 
 DistanceScore::DistanceScore(const TaskSet& set, const Uav& uav, const Transit& transit,
                              bool whole_tour)
@@ -22,18 +30,22 @@ const Vec3& DistanceScore::exit(const PathStop& stop) const {
   return entry({stop.task, !stop.reversed});
 }
 
-const Vec3& DistanceScore::before(std::size_t position) const {
-  return position == 0 ? uav_.home_m : exit(path_[position - 1]);
-}
-
 /// The transit into position l of the path as it is.
 double DistanceScore::leg_m(std::size_t position) const {
-  if (position < path_.size()) return transit_.length_m(before(position), entry(path_[position]));
-  return set_.return_home ? transit_.length_m(before(position), uav_.home_m) : 0.0;
+  if (position >= after_.size()) return 0;
+  return transit_.length_m(before_.at(position), after_.at(position));
 }
 
 void DistanceScore::assign(std::vector<PathStop> path) {
   path_ = std::move(path);
+  before_.clear();
+  after_.clear();
+  before_.push_back(uav_.home_m);
+  for (const PathStop& stop : path_) {
+    after_.push_back(entry(stop));
+    before_.push_back(exit(stop));
+  }
+  if (set_.return_home) after_.push_back(uav_.home_m);
   transits_m_.clear();
   tour_m_ = 0;
   for (std::size_t l = 0; l <= path_.size(); ++l) {
@@ -42,84 +54,133 @@ void DistanceScore::assign(std::vector<PathStop> path) {
     if (l < path_.size()) tour_m_ += set_.tasks[path_[l].task.value].length_m();
   }
   active_.clear();
+  firsts_.clear();
+  lasts_.clear();
   cached_.assign(set_.tasks.size(), {});
 }
 
-DistanceScore::Cached DistanceScore::at(TaskId task, std::uint32_t position) const {
-  const Vec3 &first = entry({task, false}), &last = exit({task, false});
-  const Vec3& from = before(position);
-  double ahead = transit_.length_m(from, first), back = transit_.length_m(from, last);
-  if (position < path_.size() || set_.return_home) {
-    const Vec3& to = position < path_.size() ? entry(path_[position]) : uav_.home_m;
-    ahead += transit_.length_m(last, to);
-    back += transit_.length_m(first, to);
-  }
-  const bool reversed = back < ahead;
-  return {(reversed ? back : ahead) - transits_m_[position], position, reversed, true, true};
+/// What a task adds to a transit of `leg_m`: entry number `n` of `lengths`, flown the shorter way.
+double DistanceScore::detour_m(const Lengths& lengths, std::size_t n, double leg_m,
+                               bool& reversed) const {
+  const double ahead = lengths.to_first[n] + lengths.from_last[n];
+  const double back = lengths.to_last[n] + lengths.from_first[n];
+  reversed = back < ahead;
+  return (reversed ? back : ahead) - leg_m;
 }
 
+/// The best of all positions, the earlier one on ties.
 void DistanceScore::scan(TaskId task) {
-  Cached best = at(task, 0);
-  for (std::uint32_t l = 1; l <= path_.size(); ++l) {
-    const Cached other = at(task, l);
-    if (other.detour_m < best.detour_m) best = other;
+  const Vec3 &first = entry({task, false}), &last = exit({task, false});
+  scanned_.resize(before_.size());
+  if (after_.size() < before_.size()) scanned_.from_first.back() = scanned_.from_last.back() = 0;
+  transit_.lengths_m(before_, first, scanned_.to_first.data());
+  transit_.lengths_m(before_, last, scanned_.to_last.data());
+  transit_.lengths_m(first, after_, scanned_.from_first.data());
+  transit_.lengths_m(last, after_, scanned_.from_last.data());
+  Cached& best = cached_[task.value];
+  best.exact = true;
+  for (std::uint32_t l = 0; l < before_.size(); ++l) {
+    bool reversed = false;
+    const double detour = detour_m(scanned_, l, transits_m_[l], reversed);
+    if (l > 0 && !(detour < best.detour_m)) continue;
+    best.detour_m = detour;
+    best.position = l;
+    best.reversed = reversed;
   }
-  cached_[task.value] = best;
 }
 
 DistanceScore::Cached& DistanceScore::known(TaskId task) {
-  if (!cached_[task.value].known) {
-    scan(task);
-    active_.push_back(task);
-  }
-  return cached_[task.value];
+  Cached& cached = cached_[task.value];
+  if (cached.slot != none) return cached;
+  scan(task);
+  cached.slot = static_cast<std::uint32_t>(active_.size());
+  active_.push_back(task);
+  firsts_.push_back(entry({task, false}));
+  lasts_.push_back(exit({task, false}));
+  return cached;
 }
 
-double DistanceScore::gain(TaskId task) const {
-  const double added_m = cached_[task.value].detour_m + set_.tasks[task.value].length_m();
+double DistanceScore::gain(double detour_m, TaskId task) const {
+  const double added_m = detour_m + set_.tasks[task.value].length_m();
   return -(whole_tour_ ? tour_m_ + added_m : added_m) / uav_.speed_mps;
 }
 
+/// Of a task that was never scanned: to do more is not shorter, but for rounding. Against rivals
+/// that is mostly enough.
 PathScore::Bound DistanceScore::bound(TaskId task) {
-  const bool exact = known(task).exact;
-  return {gain(task), exact};
+  const Cached& cached = cached_[task.value];
+  if (cached.slot != none) return {gain(cached.detour_m, task), cached.exact};
+  const double length_m = set_.tasks[task.value].length_m();
+  return {gain(-length_m - rounding * (tour_m_ + length_m), task), false};
 }
 
 Insertion DistanceScore::best(TaskId task) {
   if (!known(task).exact) scan(task);
   const Cached& c = cached_[task.value];
-  return {gain(task), c.position, c.reversed};
+  return {gain(c.detour_m, task), c.position, c.reversed};
+}
+
+/// What the way into and out of `position` would be for each of the active tasks.
+void DistanceScore::measure(std::size_t position, Lengths& lengths) const {
+  lengths.resize(active_.size());
+  const Vec3 from = before_.at(position);
+  transit_.lengths_m(from, firsts_, lengths.to_first.data());
+  transit_.lengths_m(from, lasts_, lengths.to_last.data());
+  if (position >= after_.size()) {
+    std::fill(lengths.from_first.begin(), lengths.from_first.end(), 0.0);
+    std::fill(lengths.from_last.begin(), lengths.from_last.end(), 0.0);
+    return;
+  }
+  const Vec3 to = after_.at(position);
+  transit_.lengths_m(firsts_, to, lengths.from_first.data());
+  transit_.lengths_m(lasts_, to, lengths.from_last.data());
 }
 
 /// Transit `split` of the path became two, `split` and `split + 1`: only these are new, only the
 /// old one is gone.
-void DistanceScore::update(TaskId task, std::uint32_t split) {
-  Cached& c = cached_[task.value];
-  if (c.position == split)
-    c.exact = false;
-  else if (c.position > split)
-    ++c.position;
-  for (const std::uint32_t position : {split, split + 1}) {
-    const Cached fresh = at(task, position);
-    const bool earlier = c.exact && fresh.detour_m == c.detour_m && fresh.position < c.position;
-    if (fresh.detour_m < c.detour_m || earlier) c = fresh;
+void DistanceScore::update(std::uint32_t split) {
+  for (std::uint32_t k = 0; k < 2; ++k) measure(split + k, fresh_[k]);
+  for (std::size_t n = 0; n < active_.size(); ++n) {
+    Cached& c = cached_[active_[n].value];
+    if (c.position == split)
+      c.exact = false;
+    else if (c.position > split)
+      ++c.position;
+    for (std::uint32_t k = 0; k < 2; ++k) {
+      bool reversed = false;
+      const double detour = detour_m(fresh_[k], n, transits_m_[split + k], reversed);
+      const bool earlier = c.exact && detour == c.detour_m && split + k < c.position;
+      if (!(detour < c.detour_m || earlier)) continue;
+      c.detour_m = detour;
+      c.position = split + k;
+      c.reversed = reversed;
+      c.exact = true;
+    }
   }
 }
 
 void DistanceScore::insert(TaskId task, const Insertion& where) {
   const std::uint32_t l = where.position;
-  tour_m_ += at(task, l).detour_m + set_.tasks[task.value].length_m();
-  path_.insert(path_.begin() + l, PathStop{task, where.reversed});
+  const PathStop stop{task, where.reversed};
+  const double old_leg_m = transits_m_[l];
+  path_.insert(path_.begin() + l, stop);
+  before_.insert(l + 1, exit(stop));
+  after_.insert(l, entry(stop));
   transits_m_[l] = leg_m(l);
   transits_m_.insert(transits_m_.begin() + l + 1, leg_m(l + 1));
+  tour_m_ += transits_m_[l] + transits_m_[l + 1] - old_leg_m + set_.tasks[task.value].length_m();
   retire(task);
-  for (const TaskId other : active_) update(other, l);
+  if (!active_.empty()) update(l);
 }
 
 void DistanceScore::retire(TaskId task) {
-  if (!cached_[task.value].known) return;
-  cached_[task.value].known = false;
-  std::erase(active_, task);
+  const std::uint32_t slot = std::exchange(cached_[task.value].slot, none);
+  if (slot == none) return;
+  active_[slot] = active_.back();
+  active_.pop_back();
+  if (slot < active_.size()) cached_[active_[slot].value].slot = slot;
+  firsts_.remove(slot);
+  lasts_.remove(slot);
 }
 
 }  // namespace arcbid

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+
 #include "core/auction/score.hpp"
 
 namespace arcbid {
@@ -9,7 +11,7 @@ namespace arcbid {
 /// -> path -> home, or, where nobody returns home, home -> path. The cheapest insertion of every
 /// task still asked for is kept, and an insertion costs O(1) for each. A task whose best place was
 /// just taken keeps its old cost as a lower bound, and is scanned again only when somebody asks for
-/// the exact one.
+/// the exact one. Lengths are asked for many at once: it is what most of an auction's time goes to.
 class DistanceScore final : public PathScore {
  public:
   /// `whole_tour`: MiniMax, minus the time of the whole tour, which has diminishing gains because
@@ -25,33 +27,44 @@ class DistanceScore final : public PathScore {
   const std::vector<PathStop>& path() const override { return path_; }
 
  private:
+  static constexpr std::uint32_t none = UINT32_MAX;
   struct Cached {
     double detour_m = 0;
     std::uint32_t position = 0;
+    std::uint32_t slot = none;  // among the active; none: not asked for since assign()
     bool reversed = false;
-    bool known = false;  // asked for since assign()
     bool exact = false;  // else detour_m is a lower bound and the place means nothing
+  };
+  /// What one place between two stops costs: to a task's first and last point, and on from there.
+  struct Lengths {
+    std::vector<double> to_first, to_last, from_first, from_last;
+    void resize(std::size_t size);
   };
 
   const Vec3& entry(const PathStop& stop) const;
   const Vec3& exit(const PathStop& stop) const;
-  const Vec3& before(std::size_t position) const;
   double leg_m(std::size_t position) const;
-  Cached at(TaskId task, std::uint32_t position) const;
+  double detour_m(const Lengths& lengths, std::size_t n, double leg_m, bool& reversed) const;
   void scan(TaskId task);
   Cached& known(TaskId task);
-  double gain(TaskId task) const;
-  void update(TaskId task, std::uint32_t split);
+  double gain(double detour_m, TaskId task) const;
+  void measure(std::size_t position, Lengths& lengths) const;
+  void update(std::uint32_t split);
 
   const TaskSet& set_;
   const Uav uav_;
   const Transit& transit_;
   const bool whole_tour_;
   std::vector<PathStop> path_;
+  Points before_;                   // before_[l]: from where position l is flown to; home first
+  Points after_;                    // after_[l]: to where from there; home last, where all return
   std::vector<double> transits_m_;  // transits_m_[l]: into position l; the last one leads home
   double tour_m_ = 0;
   std::vector<Cached> cached_;  // by task
   std::vector<TaskId> active_;  // tasks whose cached insertion is known
+  Points firsts_, lasts_;       // their end points
+  Lengths scanned_;             // room to work in
+  std::array<Lengths, 2> fresh_;
 };
 
 }  // namespace arcbid
