@@ -60,6 +60,7 @@ Agent::Agent(AgentId self, std::uint64_t incarnation, std::shared_ptr<const Miss
       status_sent_ns_(now_ns - mission_->auction.tick_ns),
       whole_sent_ns_(now_ns - mission_->auction.lease_ns) {
   check(incarnation != 0, "an agent has a life");
+  is_prepared_ = policy_->prepare();
 }
 
 Update Agent::step(const Event& event) {
@@ -202,6 +203,7 @@ void Agent::start_if_everybody_is_here(Update& update) {
   status_is_news_ = true;
   // Whoever has never been heard at the end of the barrier is late already.
   if (!waited) membership_.restart_leases(now_ns_);
+  if (is_prepared_) decided_ns_ = now_ns_;  // the first statement is that decision
   state(1);
 }
 

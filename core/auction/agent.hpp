@@ -135,10 +135,11 @@ class Agent {
   std::uint32_t matched_peers_ = 0;
   std::uint64_t sequence_ = 0;
   std::uint32_t round_ = 0;
-  bool undecided_ = true;  // the view changed since the last decision
+  bool is_prepared_ = false;  // the first statement is a decision already
+  bool undecided_ = true;     // the view changed since the last decision
   TimeNs decided_ns_;
   std::optional<TimeNs> refuted_ns_;
-  bool round_was_told_ = false;  // by a status, since the last decision
+  bool round_was_told_ = false;                  // by a status, since the last decision
   std::vector<std::optional<TimeNs>> spoke_ns_;  // when each member was last heard directly
   std::uint64_t view_hash_ = 0;
   bool status_is_news_ = true;

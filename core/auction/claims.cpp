@@ -8,10 +8,17 @@ namespace arcbid {
 ClaimsPolicy::ClaimsPolicy(AgentId self, Bundle bundle, std::size_t tasks, bool rebuilds)
     : self_(self), bundle_(std::move(bundle)), tasks_(tasks), rebuilds_(rebuilds) {}
 
+bool ClaimsPolicy::prepare() {
+  build(std::vector<Belief>(tasks_));
+  return true;
+}
+
 Decision ClaimsPolicy::decide(const View& view) {
-  const std::vector<Belief> rivals = best_claims(view, tasks_, self_);
-  const bool changed = rebuilds_ ? bundle_.rebuild(rivals) : keep(rivals);
-  return {.changed = changed, .settled = true};
+  return {.changed = build(best_claims(view, tasks_, self_)), .settled = true};
+}
+
+bool ClaimsPolicy::build(const std::vector<Belief>& rivals) {
+  return rebuilds_ ? bundle_.rebuild(rivals) : keep(rivals);
 }
 
 bool ClaimsPolicy::keep(const std::vector<Belief>& rivals) {

@@ -16,12 +16,14 @@ class ClaimsPolicy final : public Policy {
  public:
   ClaimsPolicy(AgentId self, Bundle bundle, std::size_t tasks, bool rebuilds);
 
+  bool prepare() override;
   Decision decide(const View& view) override;
   StatementBody statement() const override { return Claims{bundle_.claims()}; }
   std::vector<Belief> winners(const View& view) const override { return best_claims(view, tasks_); }
   const std::vector<PathStop>& path() const override { return bundle_.path(); }
 
  private:
+  bool build(const std::vector<Belief>& rivals);
   bool keep(const std::vector<Belief>& rivals);
 
   AgentId self_;

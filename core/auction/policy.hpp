@@ -23,6 +23,9 @@ struct Decision {
 class Policy {
  public:
   virtual ~Policy() = default;
+  /// Makes up the mind as long as nothing was heard of anybody: there is time for it before the
+  /// start. Returns whether that is a decision; else the first one is the first on a view.
+  virtual bool prepare() { return false; }
   /// One decision on exactly `view`.
   virtual Decision decide(const View& view) = 0;
   /// What this agent now states about itself.

@@ -13,12 +13,9 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr std::array scores{ScoreKind::minimax,
-                            ScoreKind::minisum,
-                            ScoreKind::independent,
-                            ScoreKind::discounted_append,
-                            ScoreKind::discounted_insert,
-                            ScoreKind::discounted_insert_warped};
+constexpr std::array scores{ScoreKind::minimax,           ScoreKind::minisum,
+                            ScoreKind::independent,       ScoreKind::discounted_append,
+                            ScoreKind::discounted_insert, ScoreKind::discounted_insert_warped};
 
 /// A mission, and the second of its three agents with all that it states.
 struct Audited {
@@ -31,9 +28,7 @@ struct Audited {
     bundle.emplace(make_bundle(set, mission.fleet[1], mission.auction, transit));
     audit.emplace(fresh_audit());
   }
-  BidAudit fresh_audit() const {
-    return BidAudit(set, mission.fleet, mission.auction, transit);
-  }
+  BidAudit fresh_audit() const { return BidAudit(set, mission.fleet, mission.auction, transit); }
   double alone(std::size_t member, std::uint32_t task) const {
     return make_score(set, mission.fleet[member], mission.auction, transit)->best({task}).gain;
   }
@@ -91,8 +86,8 @@ TEST_P(Audit, PassesWhatABundleReallyHolds) {
 TEST_P(Audit, RecomputesRebuiltBidsToTheLastBit) {
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     Audited one(seed, GetParam());
-    BundleReplay replay = make_replay(one.set, one.mission.fleet[1], one.mission.auction,
-                                      one.transit);
+    BundleReplay replay =
+        make_replay(one.set, one.mission.fleet[1], one.mission.auction, one.transit);
     for (int step = 0; step < 20; ++step) {
       const std::vector<Claim> claims = one.rebuilt().bundle;
       replay.keep(std::min<std::size_t>(one.dice.below(3), replay.claims().size()));
@@ -117,8 +112,8 @@ TEST_P(Audit, RefusesAnyOneFalseBid) {
         lie.bundle[n].bid += by;
         const auto reason = one.refusal(lie);
         ASSERT_TRUE(reason) << "a bid that is off by " << by;
-        EXPECT_THAT(*reason, HasSubstr(fmt::format("agent 2 bids {} for task {}",
-                                                   lie.bundle[n].bid, lie.bundle[n].task.value)));
+        EXPECT_THAT(*reason, HasSubstr(fmt::format("agent 2 bids {} for task {}", lie.bundle[n].bid,
+                                                   lie.bundle[n].task.value)));
         EXPECT_THAT(*reason, HasSubstr("where its path allows"));
         EXPECT_EQ(one.refusal(truth), std::nullopt) << "the next one is true";
       }
@@ -150,7 +145,8 @@ TEST_P(Audit, OfATableAllowsWhatTheWinnerCanBidAndNoMore) {
       EXPECT_EQ(one.refusal(j, {AgentId{member + 1}, most - 1}), std::nullopt);
       const auto reason = one.refusal(j, {AgentId{member + 1}, most + 1e-3});
       ASSERT_TRUE(reason);
-      EXPECT_THAT(*reason, HasSubstr(fmt::format("agent 2 believes that agent {} bid", member + 1)));
+      EXPECT_THAT(*reason,
+                  HasSubstr(fmt::format("agent 2 believes that agent {} bid", member + 1)));
       EXPECT_THAT(*reason, HasSubstr(fmt::format("for task {}, at most", j)));
     }
   }

@@ -89,7 +89,7 @@ TEST_F(AgentTest, DoesNotWaitForWhoeverIsOutOfReach) {
 TEST_F(AgentTest, SaysThatItIsReadyWhenAllHaveAnsweredItsBid) {
   start();
   now = second;
-  hear(bid(claims(first, 1)));
+  hear(bid(claims(first, 1, {{{0}, -0.5}})));
   hear(bid(claims(third, 1)));
   Update update = tick();
   ASSERT_TRUE(update.decision && update.decision->changed);

@@ -63,6 +63,14 @@ TEST_F(StartTest, BidsAsSoonAsItHasStarted) {
   EXPECT_EQ(agent->view().key(at_self).incarnation, own_life);
 }
 
+/// The time before the start is not wasted: the first statement is what it would take alone.
+TEST_F(StartTest, StatesItsFirstDecisionAtTheStart) {
+  start();
+  EXPECT_EQ(agent->view().key(at_self).version, 1u);
+  const auto& bundle = std::get<Claims>(agent->view().of(at_self).body).bundle;
+  EXPECT_EQ(bundle.size(), agent->tasks().tasks.size());
+}
+
 TEST_F(StartTest, SaysNothingOfItsWorkWhileItWaits) {
   const Update update = tick(1);
   EXPECT_THAT(update.bids, IsEmpty());
