@@ -21,9 +21,10 @@ namespace {
 using nlohmann::json;
 
 constexpr int surely_alive = 2;  // messages; one may have been under way when its sender died
-constexpr int tour_niceness = 10;
+constexpr int tour_niceness = 19;
 constexpr TimeNs ask_interval_ns = 200'000'000;
 constexpr TimeNs traffic_interval_ns = 500'000'000;
+constexpr TimeNs round_interval_ns = 100'000'000;
 
 double seconds(TimeNs ns) {
   return static_cast<double>(ns) * 1e-9;
@@ -254,13 +255,19 @@ void HostedAgent::report(const Update& update) {
   }
   if (!update.returned.empty()) say("returned", {{"agents", count(update.returned)}});
   if (update.agreement_lost) say("reopened", json::object());
-  if (update.decision && update.decision->changed)
-    report_("round", {{"round", update.decision->round}, {"tasks", update.decision->path.size()}});
+  if (update.decision && update.decision->changed) report_round(*update.decision);
   if (update.agreed)
     report_("agreed", {{"view_hash", hex(update.agreed->view_hash)},
                        {"round", update.agreed->round},
                        {"time_s", agreed_s_},
                        {"members", count(update.agreed->members)}});
+}
+
+/// For whoever watches: no faster than it can be read, for rounds take a few milliseconds.
+void HostedAgent::report_round(const DecisionMade& decision) {
+  if (now_ns() - round_reported_ns_ < round_interval_ns) return;
+  round_reported_ns_ = now_ns();
+  report_("round", {{"round", decision.round}, {"tasks", decision.path.size()}});
 }
 
 /// The dead win nothing any more: what they had won last is free again, and said to be so.

@@ -60,6 +60,7 @@ class HostedAgent {
   TimeNs clock_ns() const;
   void carry_out(Update& update);
   void report(const Update& update);
+  void report_round(const DecisionMade& decision);
   void start_planning();
   void fly_if_planned();
   void publish(const Agreement& agreement, const Route& route);
@@ -94,6 +95,7 @@ class HostedAgent {
   std::future<Planned> planning_;
   TimeNs wake_ns_ = 0;
   TimeNs traffic_reported_ns_ = 0;
+  TimeNs round_reported_ns_ = 0;
   std::uint64_t refused_ = 0;
   int elder_messages_ = 0;      // of a process with this id that has said more
   std::uint64_t sequence_ = 0;  // of status messages before the mission
