@@ -10,7 +10,7 @@
 #include <chrono>
 #include <utility>
 
-#include "core/io/run/event_json.hpp"
+#include "core/io/run/arcs_json.hpp"
 #include "core/io/run/run_files.hpp"
 #include "core/route/route.hpp"
 #include "idl/payload_size.hpp"
@@ -43,16 +43,9 @@ HostedAgent::HostedAgent(AgentOptions options, SharedBus& bus)
       bus_(bus),
       report_(fmt::format("agent {}", options_.id.value), options_.json_events, options_.id),
       incarnation_(birth_stamp_ms()),
-      log_(log_file(), [this](const std::string& why) {
+      log_(log_file(), {options_.id, incarnation_, 0}, [this](const std::string& why) {
         report_("warning", {{"text", why}});
       }) {
-  log_.meta("schema", 1);
-  log_.meta("process", {{"role", "agent"},
-                        {"agent", options_.id.value},
-                        {"incarnation", hex(incarnation_)},
-                        {"pid", getpid()},
-                        {"version", ARCBID_VERSION}});
-  log_.commit();
   report_("up", {{"pid", getpid()}});
 }
 
@@ -77,7 +70,7 @@ void HostedAgent::turn() {
   }
   say_what_is_malformed();
   fly_if_planned();
-  log_.write_if_due(now_ns());
+  log_.commit_if_due(now_ns());
   report_traffic(false);
 }
 
@@ -145,9 +138,10 @@ void HostedAgent::handle(const Mission& mission) {
   mission_ = std::make_shared<const Mission>(mission);
   mission_digest_ = digest(mission);
   transit_ = std::make_shared<const StraightTransit>();
-  agent_ = std::make_unique<Agent>(options_.id, incarnation_, mission_, transit_, clock_ns());
+  const Birth birth{options_.id, incarnation_, clock_ns()};
+  agent_ = std::make_unique<Agent>(options_.id, incarnation_, mission_, transit_, birth.now_ns);
+  log_.birth(now_ns(), birth, mission);
   install_faults();
-  log_.write(now_ns(), "mission", to_json(mission));
   report_("mission", {{"arcs", mission.arcs.size()}, {"tasks", agent_->tasks().tasks.size()}});
   for (const std::string& warning : agent_->tasks().warnings)
     report_("warning", {{"text", warning}});
@@ -209,25 +203,17 @@ void HostedAgent::refuse(const std::string& reason) {
 }
 
 void HostedAgent::step(Event event) {
-  log_.keep(now_ns(), event);
-  Update update = agent_->step(event);
-  if (update.agreed) agreed_s_ = seconds(now_ns());
-  carry_out(update);
-  if (update.decision || !update.died.empty()) winners_ = agent_->winners();
-}
-
-void HostedAgent::keep(const Update& update) {
-  const TimeNs now = now_ns();
-  if (update.decision) log_.keep(now, *update.decision);
-  for (const auto& m : update.bids) log_.keep(now, m);
-  for (const auto& m : update.relays) log_.keep(now, m);
-  for (const auto& m : update.statuses) log_.keep(now, m);
-  if (update.agreed) log_.keep(now, *update.agreed);
+  Step step{std::move(event), {}};
+  step.update = agent_->step(step.event);
+  log_.step(now_ns(), step);
+  if (step.update.agreed) agreed_s_ = seconds(now_ns());
+  const bool winners_changed = step.update.decision || !step.update.died.empty();
+  carry_out(step.update);
+  if (winners_changed) winners_ = agent_->winners();
 }
 
 void HostedAgent::carry_out(Update& update) {
   wake_ns_ = update.wake_ns;
-  keep(update);
   for (const auto& bid : update.bids) {
     bus_.publish(options_.id, bid);
     if (malformer_) malformer_->said(bid);
@@ -244,17 +230,13 @@ void HostedAgent::carry_out(Update& update) {
 }
 
 void HostedAgent::report(const Update& update) {
-  const auto say = [this](std::string_view event, const json& fields) {
-    log_.write(now_ns(), event, fields);
-    report_(event, fields);
-  };
-  if (update.started) say("started", {{"time_s", seconds(now_ns())}});
+  if (update.started) report_("started", {{"time_s", seconds(now_ns())}});
   if (!update.died.empty()) {
-    say("died", {{"agents", count(update.died)}});
+    report_("died", {{"agents", count(update.died)}});
     release(update.died);
   }
-  if (!update.returned.empty()) say("returned", {{"agents", count(update.returned)}});
-  if (update.agreement_lost) say("reopened", json::object());
+  if (!update.returned.empty()) report_("returned", {{"agents", count(update.returned)}});
+  if (update.agreement_lost) report_("reopened", json::object());
   if (update.decision && update.decision->changed) report_round(*update.decision);
   if (update.agreed)
     report_("agreed", {{"view_hash", hex(update.agreed->view_hash)},
@@ -324,11 +306,7 @@ void HostedAgent::publish(const Agreement& agreement, const Route& route) {
   message.length_m = route.length_m;
   message.time_s = route.time_s;
   message.legs = route.legs;
-  log_.write(now_ns(), "sent_route",
-             {{"view_hash", hex(agreement.view_hash)},
-              {"length_m", route.length_m},
-              {"time_s", route.time_s},
-              {"legs", route.legs.size()}});
+  log_.route(now_ns(), {agreement.view_hash, route});
   log_.commit();
   bus_.publish(options_.id, message);
   report_("routed",

@@ -6,7 +6,6 @@
 #include <memory>
 #include <optional>
 
-#include "agent/agent_log.hpp"
 #include "agent/faulty_links.hpp"
 #include "agent/malformer.hpp"
 #include "agent/shared_bus.hpp"
@@ -14,6 +13,7 @@
 #include "core/faults/schedule.hpp"
 #include "core/faults/tier.hpp"
 #include "core/io/process/process.hpp"
+#include "core/io/run/agent_log.hpp"
 #include "core/route/route.hpp"
 
 namespace arcbid {
@@ -65,7 +65,6 @@ class HostedAgent {
   void fly_if_planned();
   void publish(const Agreement& agreement, const Route& route);
   std::optional<std::filesystem::path> log_file() const;
-  void keep(const Update& update);
   void refuse(const std::string& reason);
   void meet_namesake(const Header& header);
   void ask_for_mission();

@@ -10,7 +10,9 @@
 
 #include "core/base/digest.hpp"
 #include "core/io/mission/mission_plan.hpp"
-#include "core/io/run/event_json.hpp"
+#include "core/io/build/build.hpp"
+#include "core/io/run/agent_log.hpp"
+#include "core/io/run/arcs_json.hpp"
 #include "core/io/run/run_files.hpp"
 
 namespace arcbid {
@@ -31,10 +33,12 @@ CoordinatorProcess::CoordinatorProcess(CoordinatorOptions options)
       bus_(options_.config.network, options_.domain, the_coordinator, fleet_size(options_.config)) {
   if (options_.run) {
     log_.emplace(*options_.run / "logs" / fmt::format("coordinator.{}.sqlite", birth_stamp_ms()));
-    log_->meta("schema", 1);
+    log_->meta("schema", RunLog::schema);
     log_->meta("process",
-               {{"role", "coordinator"}, {"pid", getpid()}, {"version", ARCBID_VERSION}});
+               {{"role", "coordinator"}, {"pid", getpid()}});
+    log_->meta("build", {{"version", build_version()}, {"commit", build_commit()}});
     log_->meta("config", to_yaml(options_.config));
+    heard_status_ = log_->kind(cdr_kind<StatusMessage>(log_kind::heard_status));
     log_->commit();
   }
   report_("up", {{"pid", getpid()}, {"domain", options_.domain}});
@@ -89,7 +93,7 @@ void CoordinatorProcess::publish_mission() {
   for (const std::string& warning : plan.warnings) report_("warning", {{"text", warning}});
   if (options_.run) write_arcs_file(*options_.run, mission_);
   if (log_) {
-    log_->append(now_ns(), "mission", to_json(mission_));
+    log_->append(now_ns(), log_->kind(cdr_kind<Mission>(log_kind::mission)), encode(mission_));
     log_->commit();
   }
   double total_m = 0;
@@ -125,14 +129,14 @@ void CoordinatorProcess::handle(const StatusMessage& status) {
   const bool of_this_mission = status.header.mission_digest == mission_digest_;
   if (!of_this_mission && status.phase != Phase::waiting_for_mission) return;
   progress_->heard(status, now_ns());
-  if (log_) log_->append(now_ns(), "status", to_json(status));
+  if (log_) log_->append(now_ns(), heard_status_, encode(status));
 }
 
 void CoordinatorProcess::handle(const RouteMessage& route) {
   if (route.header.mission_digest != mission_digest_) return;
   progress_->heard(route);
   if (log_)
-    log_->append(now_ns(), "route",
+    log_->append(now_ns(), "heard_route",
                  {{"agent", route.header.sender.value},
                   {"view_hash", hex(route.view_hash)},
                   {"length_m", route.length_m},

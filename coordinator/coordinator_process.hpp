@@ -47,6 +47,7 @@ class CoordinatorProcess {
   CoordinatorOptions options_;
   Reporter report_;
   std::optional<RunLog> log_;
+  int heard_status_ = 0;  // the kind of record
   Bus bus_;
   Mission mission_;
   std::uint64_t mission_digest_ = 0;

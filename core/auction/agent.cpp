@@ -203,8 +203,8 @@ void Agent::start_if_everybody_is_here(Update& update) {
   status_is_news_ = true;
   // Whoever has never been heard at the end of the barrier is late already.
   if (!waited) membership_.restart_leases(now_ns_);
-  if (is_prepared_) decided_ns_ = now_ns_;  // the first statement is that decision
   state(1);
+  if (is_prepared_) decided(true, update);  // the first statement is that decision
 }
 
 void Agent::bury_the_silent(Update& update) {
@@ -243,9 +243,6 @@ bool Agent::round_is_over() const {
 
 void Agent::decide(Update& update) {
   const Decision decision = policy_->decide(view_);
-  ++round_;
-  decided_ns_ = now_ns_;
-  round_was_told_ = false;
   undecided_ = !decision.settled;
   if (decision.changed) {
     state(view_.key(me_).version + 1);
@@ -254,8 +251,15 @@ void Agent::decide(Update& update) {
   view_hash_ = view_.hash();
   if (decision.settled) readiness_.decided(view_hash_);
   status_is_news_ = true;
+  decided(decision.changed, update);
+}
+
+/// A round began with what was decided and is now stated.
+void Agent::decided(bool changed, Update& update) {
+  decided_ns_ = now_ns_;
+  round_was_told_ = false;
   update.decision =
-      DecisionMade{round_, decision.changed, view_.key(me_), policy_->statement(), policy_->path()};
+      DecisionMade{++round_, changed, view_.key(me_), policy_->statement(), policy_->path()};
 }
 
 void Agent::prove(Update& update) {

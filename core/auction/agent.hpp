@@ -103,6 +103,7 @@ class Agent {
   bool round_is_over() const;
   bool round_is_reported(const Update& update) const;
   void decide(Update& update);
+  void decided(bool changed, Update& update);
   void state(std::uint32_t version);
   void prove(Update& update);
   void send(Update& update);

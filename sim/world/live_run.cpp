@@ -12,8 +12,9 @@
 #include "core/base/digest.hpp"
 #include "core/base/error.hpp"
 #include "core/io/faults/fault_files.hpp"
-#include "core/io/run/event_json.hpp"
-#include "core/io/run/mission_json.hpp"
+#include "core/io/run/agent_log.hpp"
+#include "core/io/run/arcs_json.hpp"
+#include "core/io/run/json_place.hpp"
 #include "core/io/run/run_log_reader.hpp"
 
 namespace arcbid {
@@ -78,21 +79,30 @@ class LifeReader {
     life.agent = {static_cast<std::uint32_t>(place.at("agent").whole(most_id))};
     const auto name = names_.find(place.at("pid").whole(most_id));
     life.is_twin = name != names_.end() && name->second.ends_with(", second");
-    const auto mission = log.first("mission");
+    const auto mission = log.first(log_kind::mission);
     if (!mission) {
       run_.left_out.push_back(
           fmt::format("{}: this life never had the mission", file.filename().string()));
       return;
     }
-    take(mission_of({mission->body, file.string() + ": mission"}), file);
+    take(mission_in(mission->body, file), file);
     life.born_ns = mission->t_ns;
-    life.last_ns = log.last()->t_ns;
-    if (const auto end = log.first("end"))
-      life.ended_by = JsonPlace(end->body, file.string() + ": end").at("by").text();
+    life.last_ns = log.last_ns();
+    if (const auto end = log.first(log_kind::end)) {
+      const json body = end->json();
+      life.ended_by = JsonPlace(body, file.string() + ": end").at("by").text();
+    }
     run_.lives.push_back(life);
   }
 
  private:
+  static Mission mission_in(const std::string& bytes, const Path& file) {
+    try {
+      return decode<Mission>(bytes);
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("{}: mission: {}", file.string(), error.what()));
+    }
+  }
   void take(Mission mission, const Path& file) {
     if (run_.lives.empty())
       run_.mission = std::move(mission);

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Live processes under fault schedules.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
-#include <sqlite3.h>
 
 #include <algorithm>
+#include <set>
 
+#include "core/io/run/agent_log.hpp"
+#include "core/io/run/run_log_reader.hpp"
 #include "tests/end_to_end/launched.hpp"
 
 namespace arcbid::testing {
@@ -132,29 +135,50 @@ TEST(ProcessFaults, TheCoordinatorComesBackWithTheSameMission) {
   EXPECT_FALSE(says(run, "was refused")) << run.output;
 }
 
-/// "receiver sender number" of every event of these kinds in the agents' logs; `field` leads to the
-/// object that has sender and number.
-std::set<std::string> messages(const std::filesystem::path& run, const std::string& kinds,
-                               const nlohmann::json::json_pointer& field) {
-  std::set<std::string> out;
+/// The agents' logs of a run whose names begin with `prefix`, each with its file's name.
+std::vector<std::pair<std::string, RunLogReader>> logs(const std::filesystem::path& run,
+                                                       const std::string& prefix) {
+  std::vector<std::pair<std::string, RunLogReader>> out;
   for (const auto& entry : std::filesystem::directory_iterator(run / "logs")) {
     const std::string name = entry.path().filename();
-    if (!name.starts_with("agent_") || entry.path().extension() != ".sqlite") continue;
-    sqlite3* db = nullptr;
-    EXPECT_EQ(sqlite3_open_v2(entry.path().c_str(), &db, SQLITE_OPEN_READONLY, nullptr), SQLITE_OK);
-    sqlite3_stmt* rows = nullptr;
-    const std::string query = "SELECT body FROM events WHERE kind IN (" + kinds + ")";
-    sqlite3_prepare_v2(db, query.c_str(), -1, &rows, nullptr);
-    while (sqlite3_step(rows) == SQLITE_ROW) {
-      const auto body =
-          nlohmann::json::parse(reinterpret_cast<const char*>(sqlite3_column_text(rows, 0)));
-      const auto& message = body.at(field);
-      out.insert(name.substr(0, name.find('.')) + " " + message["sender"].dump() + " " +
-                 message["sequence"].dump());
-    }
-    sqlite3_finalize(rows);
-    sqlite3_close(db);
+    if (name.starts_with(prefix) && entry.path().extension() == ".sqlite")
+      out.emplace_back(name, RunLogReader(entry.path()));
   }
+  return out;
+}
+
+std::string named(const std::string& file, std::uint32_t sender, std::uint64_t sequence) {
+  return fmt::format("{} {} {}", file.substr(0, file.find('.')), sender, sequence);
+}
+
+/// "receiver sender number" of every message that was lost on the way to an agent.
+std::set<std::string> lost_messages(const std::filesystem::path& run) {
+  std::set<std::string> out;
+  for (const auto& [name, log] : logs(run, "agent_"))
+    log.read(
+        [&, &file = name](const RunLogReader::Record& record) {
+          const auto body = nlohmann::json::parse(record.body);
+          return out.insert(named(file, body["sender"], body["sequence"])), true;
+        },
+        0, "lost");
+  return out;
+}
+
+/// The same of every message that an agent's core was given.
+std::set<std::string> heard_messages(const std::filesystem::path& run) {
+  std::set<std::string> out;
+  for (const auto& [name, log] : logs(run, "agent_"))
+    log.read(
+        [&, &file = name](const RunLogReader::Record& record) {
+          std::visit(
+              [&](const auto& what) {
+                if constexpr (requires { what.header; })
+                  out.insert(named(file, what.header.sender.value, what.header.sequence));
+              },
+              decode<Step>(record.body).event.what);
+          return true;
+        },
+        0, log_kind::step);
   return out;
 }
 
@@ -166,19 +190,12 @@ std::size_t in_both(const std::set<std::string>& a, const std::set<std::string>&
 /// The reasons of all refusals in an agent's logs.
 std::vector<std::string> refusals(const std::filesystem::path& run, const std::string& agent) {
   std::vector<std::string> out;
-  for (const auto& entry : std::filesystem::directory_iterator(run / "logs")) {
-    const std::string name = entry.path().filename();
-    if (!name.starts_with(agent + ".") || entry.path().extension() != ".sqlite") continue;
-    sqlite3* db = nullptr;
-    sqlite3_stmt* rows = nullptr;
-    EXPECT_EQ(sqlite3_open_v2(entry.path().c_str(), &db, SQLITE_OPEN_READONLY, nullptr), SQLITE_OK);
-    sqlite3_prepare_v2(db, "SELECT body->>'reason' FROM events WHERE kind = 'refused'", -1, &rows,
-                       nullptr);
-    while (sqlite3_step(rows) == SQLITE_ROW)
-      out.emplace_back(reinterpret_cast<const char*>(sqlite3_column_text(rows, 0)));
-    sqlite3_finalize(rows);
-    sqlite3_close(db);
-  }
+  for (const auto& [name, log] : logs(run, agent + "."))
+    log.read(
+        [&out](const RunLogReader::Record& record) {
+          return out.push_back(nlohmann::json::parse(record.body)["reason"]), true;
+        },
+        0, "refused");
   return out;
 }
 
@@ -209,13 +226,8 @@ TEST(LinkFaults, DropTheSameMessagesInEveryRun) {
   Flight once, again;
   run_under("lossy_30", once);
   run_under("lossy_30", again);
-  const auto lost = [](const Flight& run) {
-    return messages(run.scratch / "run", "'lost'", nlohmann::json::json_pointer());
-  };
-  const auto heard = [](const Flight& run) {
-    return messages(run.scratch / "run", "'bid', 'relay', 'status'",
-                    nlohmann::json::json_pointer("/header"));
-  };
+  const auto lost = [](const Flight& run) { return lost_messages(run.scratch / "run"); };
+  const auto heard = [](const Flight& run) { return heard_messages(run.scratch / "run"); };
   EXPECT_GT(in_both(lost(once), lost(again)), 5u);
   EXPECT_GT(in_both(heard(once), heard(again)), 20u);
   EXPECT_EQ(in_both(lost(once), heard(again)), 0u);

@@ -2,7 +2,7 @@
 // A live run, again in the simulator.
 #include <gmock/gmock.h>
 
-#include "core/io/run/event_json.hpp"
+#include "core/io/run/arcs_json.hpp"
 #include "sim/world/live_run.hpp"
 #include "tests/end_to_end/launched.hpp"
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The main job, as a user starts it: real processes, real DDS.
 #include <gtest/gtest.h>
-#include <sqlite3.h>
+#include <set>
 
+#include "core/io/run/agent_log.hpp"
+#include "core/io/run/run_log_reader.hpp"
 #include "tests/end_to_end/launched.hpp"
 
 namespace arcbid::testing {
@@ -43,18 +45,24 @@ TEST(Mission, EveryProcessLeavesALogOfWhatItReceivedDecidedAndSent) {
     const std::string name = entry.path().filename().string();
     if (!name.starts_with("agent_") || entry.path().extension() != ".sqlite") continue;
     ++agents;
-    sqlite3* db = nullptr;
-    ASSERT_EQ(sqlite3_open_v2(entry.path().c_str(), &db, SQLITE_OPEN_READONLY, nullptr), SQLITE_OK);
-    for (const char* kind :
-         {"mission", "bid", "status", "decision", "sent_bid", "sent_status", "agreed", "end"}) {
-      sqlite3_stmt* statement = nullptr;
-      sqlite3_prepare_v2(db, "SELECT count(*) FROM events WHERE kind = ?", -1, &statement, nullptr);
-      sqlite3_bind_text(statement, 1, kind, -1, SQLITE_STATIC);
-      ASSERT_EQ(sqlite3_step(statement), SQLITE_ROW);
-      EXPECT_GT(sqlite3_column_int(statement, 0), 0) << name << ": " << kind;
-      sqlite3_finalize(statement);
-    }
-    sqlite3_close(db);
+    const RunLogReader log(entry.path());
+    for (const auto kind : {log_kind::mission, log_kind::birth, log_kind::route, log_kind::end})
+      EXPECT_TRUE(log.first(kind).has_value()) << name << ": " << kind;
+    std::set<std::size_t> heard;
+    bool decided = false, stated = false, reported = false, agreed = false;
+    log.read(
+        [&](const RunLogReader::Record& record) {
+          const Step step = decode<Step>(record.body);
+          heard.insert(step.event.what.index());
+          decided = decided || step.update.decision;
+          stated = stated || !step.update.bids.empty();
+          reported = reported || !step.update.statuses.empty();
+          agreed = agreed || step.update.agreed;
+          return true;
+        },
+        0, log_kind::step);
+    EXPECT_TRUE(heard.contains(0) && heard.contains(1) && heard.contains(3)) << "tick, bid, status";
+    EXPECT_TRUE(decided && stated && reported && agreed) << name;
   }
   EXPECT_EQ(agents, 2);
 }

@@ -8,7 +8,8 @@
 #include <fstream>
 
 #include "core/base/error.hpp"
-#include "core/io/run/event_json.hpp"
+#include "core/io/run/agent_log.hpp"
+#include "core/io/run/arcs_json.hpp"
 #include "core/io/run/run_files.hpp"
 #include "core/io/run/run_log.hpp"
 #include "sim/world/run.hpp"
@@ -38,18 +39,19 @@ class LiveRunTest : public ::testing::Test {
     std::string name = (std::filesystem::temp_directory_path() / "arcbid-live-XXXXXX").string();
     run = mkdtemp(name.data());
     write_arcs_file(run, mission);
-    log(1, to_json(mission));
-    log(2, to_json(mission));
+    log(1, mission);
+    log(2, mission);
     write("result.json", result.dump());
   }
   ~LiveRunTest() override { std::filesystem::remove_all(run); }
 
-  void log(int agent, const json& body) const {
+  void log(int agent, const Mission& what) const {
     const auto file = run / "logs" / fmt::format("agent_{}.17.sqlite", agent);
     std::filesystem::remove(file);
     RunLog out(file);
+    out.meta("schema", RunLog::schema);
     out.meta("process", {{"agent", agent}, {"pid", 100 + agent}});
-    out.append(agent * second, "mission", body);
+    out.append(agent * second, out.kind(cdr_kind<Mission>("mission")), encode(what));
     out.append(9 * second, "end", {{"by", "coordinator"}});
   }
   void write(const std::string& name, const std::string& text) const {
@@ -109,7 +111,9 @@ TEST_F(LiveRunTest, ReadsWhatWasDoneAndWhatWasToBeDone) {
 
 TEST_F(LiveRunTest, LeavesOutALifeThatNeverHadTheMissionAndSaysSo) {
   {
-    RunLog(run / "logs/agent_1.18.sqlite").meta("process", {{"agent", 1}, {"pid", 103}});
+    RunLog log(run / "logs/agent_1.18.sqlite");
+    log.meta("schema", RunLog::schema);
+    log.meta("process", {{"agent", 1}, {"pid", 103}});
   }
   const LiveRun live = read_run(run);
   EXPECT_EQ(live.lives.size(), 2u);
@@ -141,17 +145,15 @@ TEST_F(LiveRunTest, SaysInOneLineWhatIsDamaged) {
 }
 
 TEST_F(LiveRunTest, TakesNoMissionThatIsNotTheOneThatWasFlown) {
-  json body = to_json(mission);
-  body["fleet"][0]["speed_mps"] = 7.5;
-  log(2, body);
-  EXPECT_THAT(problem(), HasSubstr("agent_2.17.sqlite: mission: digest: "));
-  log(2, to_json(mission_of_seed(4)));
+  Mission other = mission;
+  other.fleet[0].speed_mps = 7.5;
+  log(2, other);
   EXPECT_THAT(problem(), HasSubstr("but the other logs have " + hex(digest(mission))));
-  body = to_json(mission);
-  body["auction"]["policy"] = "clams";
-  log(2, body);
-  EXPECT_THAT(problem(), HasSubstr("mission: auction.policy: \"clams\" is not one of claims"));
-  log(2, to_json(mission));
+  other = mission;
+  other.auction.policy = static_cast<PolicyKind>(77);
+  log(2, other);
+  EXPECT_THAT(problem(), HasSubstr("mission: field policy: 77, legal: 0 to 4"));
+  log(2, mission);
   write_arcs_file(run, mission_of_seed(4));
   EXPECT_THAT(problem(), HasSubstr("arcs.json: mission.id: "));
 }

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.hpp"
-#include "core/io/run/event_json.hpp"
+#include "core/io/run/arcs_json.hpp"
 
 namespace arcbid {
 
@@ -35,12 +35,11 @@ std::filesystem::path route_file(const std::filesystem::path& run, AgentId agent
 }
 
 void write_arcs_file(const std::filesystem::path& run, const Mission& mission) {
-  const json all = to_json(mission);
   const json out{{"schema", 1},
-                 {"mission", {{"id", all["id"]}, {"name", all["name"]}}},
+                 {"mission", {{"id", hex(mission.id)}, {"name", mission.name}}},
                  {"frame", "local East-North-Up, metres"},
-                 {"fleet", all["fleet"]},
-                 {"arcs", all["arcs"]}};
+                 {"fleet", fleet_json(mission)},
+                 {"arcs", arcs_json(mission)}};
   write_whole(run / "arcs.json", out.dump());
 }
 
@@ -77,7 +76,7 @@ json route_of(const Route& route) {
       out["to_m"] = leg.to_m;
     }
     out["waypoints"] = json::array();
-    for (const Waypoint& waypoint : leg.waypoints) out["waypoints"].push_back(to_json(waypoint));
+    for (const Waypoint& waypoint : leg.waypoints) out["waypoints"].push_back(waypoint_json(waypoint));
     legs.push_back(std::move(out));
   }
   return {{"length_m", route.length_m},

@@ -2,32 +2,43 @@
 #include "core/io/run/run_log.hpp"
 
 #include <fmt/format.h>
-#include <sqlite3.h>
 
-#include <string>
+#include <map>
 
 #include "core/base/error.hpp"
+#include "core/io/run/sqlite.hpp"
 
 namespace arcbid {
 namespace {
 
-constexpr TimeNs commit_interval_ns = 50'000'000;
+constexpr TimeNs commit_interval_ns = 80'000'000;
 
-struct CloseDatabase {
-  void operator()(sqlite3* db) const { sqlite3_close_v2(db); }
-};
-struct Finalize {
-  void operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
-};
+// WAL and NORMAL: a killed process loses nothing committed; only a power cut could.
+constexpr const char* layout =
+    "PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL;"
+    "CREATE TABLE IF NOT EXISTS meta(key TEXT PRIMARY KEY, value TEXT NOT NULL);"
+    "CREATE TABLE IF NOT EXISTS kinds(id INTEGER PRIMARY KEY, name TEXT NOT NULL,"
+    " encoding TEXT NOT NULL, schema TEXT NOT NULL);"
+    "CREATE TABLE IF NOT EXISTS events(seq INTEGER PRIMARY KEY, t_ns INTEGER NOT NULL,"
+    " kind INTEGER NOT NULL, body BLOB NOT NULL);"
+    "CREATE VIEW IF NOT EXISTS log AS SELECT seq, t_ns, name AS kind, encoding, body"
+    " FROM events JOIN kinds ON kinds.id = events.kind;";
 
 }  // namespace
 
 struct RunLog::Impl {
+  struct Kept {
+    TimeNs at_ns;
+    int kind;
+    std::string bytes;
+  };
   std::string file;
-  std::unique_ptr<sqlite3, CloseDatabase> db;
-  std::unique_ptr<sqlite3_stmt, Finalize> insert, insert_meta;
-  bool open_transaction = false;
-  TimeNs committed_ns = 0;
+  Database db;
+  SqlStatement insert, insert_meta, insert_kind;
+  std::map<std::string, int, std::less<>> kinds;
+  std::vector<std::pair<std::string, std::string>> kept_meta;
+  std::vector<std::pair<int, RecordKind>> kept_kinds;
+  std::vector<Kept> kept;
 
   std::string what_failed(const char* what) const {
     return fmt::format("{}: cannot {} the event log: {}", file, what,
@@ -37,22 +48,39 @@ struct RunLog::Impl {
   void run(const char* sql) {
     if (sqlite3_exec(db.get(), sql, nullptr, nullptr, nullptr) != SQLITE_OK) fail_to_write();
   }
-  std::unique_ptr<sqlite3_stmt, Finalize> prepare(const char* sql) {
+  SqlStatement prepare(const char* sql) {
     sqlite3_stmt* statement = nullptr;
     if (sqlite3_prepare_v2(db.get(), sql, -1, &statement, nullptr) != SQLITE_OK) fail_to_write();
-    return std::unique_ptr<sqlite3_stmt, Finalize>(statement);
-  }
-  void begin() {
-    if (!open_transaction) run("BEGIN");
-    open_transaction = true;
+    return SqlStatement(statement);
   }
   void execute(sqlite3_stmt* statement) {
     const int result = sqlite3_step(statement);
     sqlite3_reset(statement);
     if (result != SQLITE_DONE) fail_to_write();
   }
+  // What is bound lives until the statement was executed.
   static void bind(sqlite3_stmt* statement, int at, std::string_view text) {
-    sqlite3_bind_text(statement, at, text.data(), static_cast<int>(text.size()), SQLITE_TRANSIENT);
+    sqlite3_bind_text(statement, at, text.data(), static_cast<int>(text.size()), SQLITE_STATIC);
+  }
+  void write_all() {
+    for (const auto& [key, value] : kept_meta) {
+      bind(insert_meta.get(), 1, key);
+      bind(insert_meta.get(), 2, value);
+      execute(insert_meta.get());
+    }
+    for (const auto& [id, kind] : kept_kinds) {
+      sqlite3_bind_int(insert_kind.get(), 1, id);
+      bind(insert_kind.get(), 2, kind.name);
+      bind(insert_kind.get(), 3, kind.encoding);
+      bind(insert_kind.get(), 4, kind.schema);
+      execute(insert_kind.get());
+    }
+    for (const Kept& record : kept) {
+      sqlite3_bind_int64(insert.get(), 1, record.at_ns);
+      sqlite3_bind_int(insert.get(), 2, record.kind);
+      sqlite3_bind_blob64(insert.get(), 3, record.bytes.data(), record.bytes.size(), SQLITE_STATIC);
+      execute(insert.get());
+    }
   }
 };
 
@@ -67,47 +95,57 @@ RunLog::RunLog(const std::filesystem::path& file) : impl_(std::make_unique<Impl>
   const int opened = sqlite3_open(impl_->file.c_str(), &db);
   impl_->db.reset(db);
   if (opened != SQLITE_OK) throw InputError(impl_->what_failed("open"));
-  // WAL and NORMAL: a killed process loses nothing committed; only a power cut could.
-  impl_->run("PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL;");
-  impl_->run(
-      "CREATE TABLE IF NOT EXISTS meta(key TEXT PRIMARY KEY, value TEXT NOT NULL);"
-      "CREATE TABLE IF NOT EXISTS events(seq INTEGER PRIMARY KEY, t_ns INTEGER NOT NULL,"
-      " kind TEXT NOT NULL, body TEXT NOT NULL);");
+  impl_->run(layout);
   impl_->insert = impl_->prepare("INSERT INTO events(t_ns, kind, body) VALUES(?, ?, ?)");
   impl_->insert_meta = impl_->prepare("INSERT OR REPLACE INTO meta(key, value) VALUES(?, ?)");
+  impl_->insert_kind = impl_->prepare("INSERT OR REPLACE INTO kinds VALUES(?, ?, ?, ?)");
 }
 
 RunLog::~RunLog() {
   // A destructor must not throw; what can't be committed now was lost with the disk.
-  if (impl_->open_transaction) sqlite3_exec(impl_->db.get(), "COMMIT", nullptr, nullptr, nullptr);
+  try {
+    commit();
+  } catch (const RunError&) {
+  }
 }
 
 void RunLog::meta(std::string_view key, const nlohmann::json& value) {
-  impl_->begin();
-  const std::string text = value.dump();
-  Impl::bind(impl_->insert_meta.get(), 1, key);
-  Impl::bind(impl_->insert_meta.get(), 2, text);
-  impl_->execute(impl_->insert_meta.get());
+  impl_->kept_meta.emplace_back(key, value.dump());
 }
 
-void RunLog::append(TimeNs now_ns, std::string_view kind, const nlohmann::json& body) {
-  impl_->begin();
-  const std::string text = body.dump();
-  sqlite3_bind_int64(impl_->insert.get(), 1, now_ns);
-  Impl::bind(impl_->insert.get(), 2, kind);
-  Impl::bind(impl_->insert.get(), 3, text);
-  impl_->execute(impl_->insert.get());
+int RunLog::kind(const RecordKind& kind) {
+  const auto next = static_cast<int>(impl_->kinds.size()) + 1;
+  const auto [at, is_new] = impl_->kinds.try_emplace(kind.name, next);
+  if (is_new) impl_->kept_kinds.emplace_back(next, kind);
+  return at->second;
+}
+
+void RunLog::append(TimeNs now_ns, int kind, std::string bytes) {
+  impl_->kept.push_back({now_ns, kind, std::move(bytes)});
+}
+
+void RunLog::append(TimeNs now_ns, std::string_view name, const nlohmann::json& body) {
+  append(now_ns, kind({std::string(name), "json", ""}), body.dump());
 }
 
 void RunLog::commit() {
-  if (impl_->open_transaction) impl_->run("COMMIT");
-  impl_->open_transaction = false;
+  if (impl_->kept.empty() && impl_->kept_meta.empty() && impl_->kept_kinds.empty()) return;
+  impl_->run("BEGIN");
+  impl_->write_all();
+  impl_->run("COMMIT");
+  impl_->kept.clear();
+  impl_->kept_meta.clear();
+  impl_->kept_kinds.clear();
+}
+
+std::optional<TimeNs> RunLog::due_ns() const {
+  if (impl_->kept.empty()) return std::nullopt;
+  return impl_->kept.front().at_ns + commit_interval_ns;
 }
 
 void RunLog::commit_if_due(TimeNs now_ns) {
-  if (now_ns - impl_->committed_ns < commit_interval_ns) return;
-  commit();
-  impl_->committed_ns = now_ns;
+  const auto due = due_ns();
+  if (due && now_ns >= *due) commit();
 }
 
 }  // namespace arcbid

@@ -2,88 +2,127 @@
 #include "core/io/run/run_log_reader.hpp"
 
 #include <fmt/format.h>
-#include <sqlite3.h>
+
+#include <map>
 
 #include "core/base/error.hpp"
+#include "core/io/run/sqlite.hpp"
 
 namespace arcbid {
-namespace {
-
-struct CloseDatabase {
-  void operator()(sqlite3* db) const { sqlite3_close_v2(db); }
-};
-struct Finalize {
-  void operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
-};
-
-}  // namespace
 
 struct RunLogReader::Impl {
-  std::string file;
-  std::unique_ptr<sqlite3, CloseDatabase> db;
+  std::filesystem::path file;
+  Database db;
+  std::vector<RecordKind> kinds;
+  std::map<int, std::string> names;
 
   [[noreturn]] void refuse(const std::string& why) const {
-    throw InputError(fmt::format("{}: is not a readable event log: {}", file, why));
+    throw InputError(fmt::format("{}: is not a readable event log: {}", file.string(), why));
   }
   [[noreturn]] void refuse() const { refuse(db ? sqlite3_errmsg(db.get()) : "out of memory"); }
 
-  /// A query whose only parameter is `value`, at its first row; null when there is none.
-  std::unique_ptr<sqlite3_stmt, Finalize> row(const char* sql, std::string_view value) const {
+  SqlStatement prepare(const char* sql) const {
     sqlite3_stmt* raw = nullptr;
     if (sqlite3_prepare_v2(db.get(), sql, -1, &raw, nullptr) != SQLITE_OK) refuse();
-    std::unique_ptr<sqlite3_stmt, Finalize> statement(raw);
-    if (sqlite3_bind_parameter_count(raw) > 0)
-      sqlite3_bind_text(raw, 1, value.data(), static_cast<int>(value.size()), SQLITE_TRANSIENT);
-    const int result = sqlite3_step(raw);
+    return SqlStatement(raw);
+  }
+  bool next(sqlite3_stmt* statement) const {
+    const int result = sqlite3_step(statement);
     if (result != SQLITE_ROW && result != SQLITE_DONE) refuse();
-    if (result == SQLITE_DONE) statement.reset();
-    return statement;
+    return result == SQLITE_ROW;
   }
-
-  static std::string text(sqlite3_stmt* statement, int column) {
-    const auto* bytes = reinterpret_cast<const char*>(sqlite3_column_text(statement, column));
-    return bytes == nullptr ? "" : std::string(bytes);
+  static std::string_view bytes(sqlite3_stmt* statement, int column) {
+    const auto* at = static_cast<const char*>(sqlite3_column_blob(statement, column));
+    return {at, static_cast<std::size_t>(sqlite3_column_bytes(statement, column))};
   }
-
-  nlohmann::json json(sqlite3_stmt* statement, int column, const std::string& what) const {
-    auto value = nlohmann::json::parse(text(statement, column), nullptr, false);
-    if (value.is_discarded()) refuse(what + " is not JSON");
-    return value;
+  std::int64_t number(const char* sql) const {
+    const SqlStatement statement = prepare(sql);
+    return next(statement.get()) ? sqlite3_column_int64(statement.get(), 0) : 0;
   }
-
-  std::optional<Event> event(const char* sql, std::string_view kind) const {
-    const auto found = row(sql, kind);
-    if (!found) return std::nullopt;
-    Event event{sqlite3_column_int64(found.get(), 0), text(found.get(), 1), {}};
-    event.body = json(found.get(), 2, "an event of kind " + event.kind);
-    return event;
+  void read_kinds() {
+    const SqlStatement rows = prepare("SELECT id, name, encoding, schema FROM kinds ORDER BY id");
+    while (next(rows.get())) {
+      const auto text = [&](int column) { return std::string(bytes(rows.get(), column)); };
+      names[sqlite3_column_int(rows.get(), 0)] = text(1);
+      kinds.push_back({text(1), text(2), text(3)});
+    }
+  }
+  int id_of(std::string_view kind) const {
+    for (const auto& [id, name] : names)
+      if (name == kind) return id;
+    return 0;
   }
 };
 
 RunLogReader::RunLogReader(const std::filesystem::path& file) : impl_(std::make_unique<Impl>()) {
-  impl_->file = file.string();
+  impl_->file = file;
   sqlite3* db = nullptr;
-  const int opened =
-      sqlite3_open_v2(impl_->file.c_str(), &db, SQLITE_OPEN_READONLY, nullptr);
+  const int opened = sqlite3_open_v2(file.c_str(), &db, SQLITE_OPEN_READONLY, nullptr);
   impl_->db.reset(db);
   if (opened != SQLITE_OK) impl_->refuse();
+  const nlohmann::json schema = meta("schema");
+  if (schema != RunLog::schema)
+    impl_->refuse(fmt::format("its schema is {}, this arcbid reads {}", schema.dump(),
+                              static_cast<int>(RunLog::schema)));
+  impl_->read_kinds();
 }
 
 RunLogReader::~RunLogReader() = default;
+RunLogReader::RunLogReader(RunLogReader&&) noexcept = default;
+
+const std::filesystem::path& RunLogReader::file() const {
+  return impl_->file;
+}
+
+const std::vector<RecordKind>& RunLogReader::kinds() const {
+  return impl_->kinds;
+}
 
 nlohmann::json RunLogReader::meta(std::string_view key) const {
-  const auto found = impl_->row("SELECT value FROM meta WHERE key = ?", key);
-  if (!found) impl_->refuse(fmt::format("its meta has no {}", key));
-  return impl_->json(found.get(), 0, fmt::format("its meta's {}", key));
+  const SqlStatement row = impl_->prepare("SELECT value FROM meta WHERE key = ?");
+  sqlite3_bind_text(row.get(), 1, key.data(), static_cast<int>(key.size()), SQLITE_STATIC);
+  if (!impl_->next(row.get())) return nullptr;
+  auto value = nlohmann::json::parse(Impl::bytes(row.get(), 0), nullptr, false);
+  if (value.is_discarded()) impl_->refuse(fmt::format("its meta's {} is not JSON", key));
+  return value;
 }
 
-std::optional<RunLogReader::Event> RunLogReader::first(std::string_view kind) const {
-  return impl_->event("SELECT t_ns, kind, body FROM events WHERE kind = ? ORDER BY seq LIMIT 1",
-                      kind);
+void RunLogReader::read(const std::function<bool(const Record&)>& take, std::int64_t from_seq,
+                        std::string_view kind) const {
+  const int only = kind.empty() ? 0 : impl_->id_of(kind);
+  if (!kind.empty() && only == 0) return;
+  const SqlStatement rows = impl_->prepare(
+      kind.empty() ? "SELECT seq, t_ns, kind, body FROM events WHERE seq >= ?1 ORDER BY seq"
+                   : "SELECT seq, t_ns, kind, body FROM events WHERE seq >= ?1 AND kind = ?2"
+                     " ORDER BY seq");
+  sqlite3_bind_int64(rows.get(), 1, from_seq);
+  if (only != 0) sqlite3_bind_int(rows.get(), 2, only);
+  while (impl_->next(rows.get())) {
+    const auto name = impl_->names.find(sqlite3_column_int(rows.get(), 2));
+    if (name == impl_->names.end())
+      impl_->refuse(fmt::format("record {} is of no known kind", sqlite3_column_int64(rows.get(), 0)));
+    if (!take({sqlite3_column_int64(rows.get(), 0), sqlite3_column_int64(rows.get(), 1),
+               name->second, Impl::bytes(rows.get(), 3)}))
+      return;
+  }
 }
 
-std::optional<RunLogReader::Event> RunLogReader::last() const {
-  return impl_->event("SELECT t_ns, kind, body FROM events ORDER BY seq DESC LIMIT 1", {});
+std::optional<RunLogReader::Found> RunLogReader::first(std::string_view kind) const {
+  std::optional<Found> found;
+  const auto keep = [&found](const Record& record) {
+    found = Found{record.t_ns, std::string(record.body)};
+    return false;
+  };
+  read(keep, 0, kind);
+  return found;
+}
+
+TimeNs RunLogReader::last_ns() const {
+  return impl_->number("SELECT t_ns FROM events ORDER BY seq DESC LIMIT 1");
+}
+
+std::int64_t RunLogReader::last_seq() const {
+  return impl_->number("SELECT max(seq) FROM events");
 }
 
 }  // namespace arcbid

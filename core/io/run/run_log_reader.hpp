@@ -2,33 +2,53 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/base/ids.hpp"
+#include "core/io/run/run_log.hpp"
 
 namespace arcbid {
 
-/// Reads the event log of one process (RunLog), also one whose process was killed. All of it throws
-/// InputError: one line with the file's name.
+/// Reads the event log of one process (RunLog), also one whose process was killed or still writes.
+/// All of it throws InputError: one line with the file's name.
 class RunLogReader {
  public:
   explicit RunLogReader(const std::filesystem::path& file);
   ~RunLogReader();
+  RunLogReader(RunLogReader&&) noexcept;
 
+  const std::filesystem::path& file() const;
+  /// Null where the log does not say.
   nlohmann::json meta(std::string_view key) const;
+  const std::vector<RecordKind>& kinds() const;
 
-  struct Event {
-    TimeNs t_ns = 0;  ///< since launch
-    std::string kind;
-    nlohmann::json body;
+  struct Record {
+    std::int64_t seq = 0;
+    TimeNs t_ns = 0;        ///< since launch
+    std::string_view kind;  ///< its name
+    std::string_view body;  ///< valid until the next record is read
   };
-  /// The first event of a kind.
-  std::optional<Event> first(std::string_view kind) const;
-  std::optional<Event> last() const;
+  /// Reads records in the order in which they were written, those of `kind` only if it is given,
+  /// from `from_seq` on, until `take` returns false.
+  void read(const std::function<bool(const Record&)>& take, std::int64_t from_seq = 0,
+            std::string_view kind = {}) const;
+
+  struct Found {
+    TimeNs t_ns = 0;
+    std::string body;
+    nlohmann::json json() const { return nlohmann::json::parse(body, nullptr, false); }
+  };
+  /// The first record of a kind.
+  std::optional<Found> first(std::string_view kind) const;
+  /// When the last record was written; 0 when there is none.
+  TimeNs last_ns() const;
+  std::int64_t last_seq() const;
 
  private:
   struct Impl;

@@ -36,7 +36,9 @@ void BundleChecker::after(const Step& step) {
     for (const Claim& claim : claims->bundle) held.push_back(claim.task.value);
     check_bids(step, claims->bundle);
     std::vector<Claim>& before = bundles_[step.life];
-    if (policy_ == PolicyKind::claims_keep) check_cascade(step, before, claims->bundle);
+    // What is stated at the start was decided before anybody was heard.
+    const bool on_the_view = !step.update.started;
+    if (policy_ == PolicyKind::claims_keep && on_the_view) check_cascade(step, before, claims->bundle);
     before = claims->bundle;
   } else if (const auto* table = std::get_if<Table>(&body)) {
     for (std::uint32_t j = 0; j < table->beliefs.size(); ++j)
