@@ -48,6 +48,11 @@ std::string forbidden_edge(const std::string& from, const std::string& to) {
                      from, to);
 }
 
+/// Fast CDR only lays out bytes: files of ROS messages may use it where DDS has no business.
+bool may_lay_out_cdr(const std::string& path) {
+  return path.starts_with("sim/mcap/");
+}
+
 bool matches(const std::string& text, const char* pattern) {
   return std::regex_search(text, std::regex(pattern));
 }
@@ -154,7 +159,8 @@ Violations link_layers(const Files& files) {
       found.push_back(place + forbidden_edge(from, to));
     if (is_deciding(folder) && library_folder.starts_with("core/io/"))
       found.push_back(place + "what decides must not depend on core/io");
-    if ((from == "core" || from == "sim") && matches(library, "^fast(rtps|cdr|dds)$"))
+    const char* fast_dds = may_lay_out_cdr(folder) ? "^fast(rtps|dds)$" : "^fast(rtps|cdr|dds)$";
+    if ((from == "core" || from == "sim") && matches(library, fast_dds))
       found.push_back(place + "Fast DDS stays in idl and the processes");
     if (is_deciding(folder) && matches(library, "^(spdlog|SQLite|sqlite|Threads::)"))
       found.push_back(place + "core is arithmetic");
@@ -169,11 +175,16 @@ Violations core_is_arithmetic(const Files& files) {
       "filesystem|random|ctime|time\\.h|sys/.*|unistd\\.h|spdlog/.*|fast(dds|rtps|cdr)/"
       ".*|sqlite3.*)$",
       "core is arithmetic: time, randomness, files and messages come in as data", is_deciding);
-  append(found,
-         includes_matching(files, "^fast(dds|rtps|cdr)/", "Fast DDS stays in idl and the processes",
-                           [](const std::string& path) {
-                             return layer_of(path) == "core" || layer_of(path) == "sim";
-                           }));
+  const auto core_or_sim = [](const std::string& path) {
+    return layer_of(path) == "core" || layer_of(path) == "sim";
+  };
+  append(found, includes_matching(files, "^fast(dds|rtps)/",
+                                  "Fast DDS stays in idl and the processes", core_or_sim));
+  append(found, includes_matching(files, "^fastcdr/", "legal only in .cpp files of sim/mcap",
+                                  [&](const std::string& path) {
+                                    return core_or_sim(path) &&
+                                           (!may_lay_out_cdr(path) || is_header(path));
+                                  }));
   static const std::regex clocks(
       "\\b(steady_clock|system_clock|high_resolution_clock|clock_gettime|gettimeofday)\\b");
   for (const SourceFile& file : files)

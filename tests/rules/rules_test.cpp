@@ -133,6 +133,8 @@ TEST(Rules, LibrariesThatTouchTheWorldAreSeen) {
   };
   EXPECT_THAT(link("core/io/x", "fastrtps"), testing::SizeIs(1));
   EXPECT_THAT(link("sim", "fastcdr"), testing::SizeIs(1));
+  EXPECT_THAT(link("sim/mcap", "fastcdr"), IsEmpty());
+  EXPECT_THAT(link("sim/mcap", "fastrtps"), testing::SizeIs(1));
   EXPECT_THAT(link("core/tour", "spdlog::spdlog"), testing::SizeIs(1));
   EXPECT_THAT(link("core/arcs", "SQLite::SQLite3"), testing::SizeIs(1));
   EXPECT_THAT(link("core/io/x", "SQLite::SQLite3"), IsEmpty());
@@ -162,6 +164,13 @@ TEST(Rules, FastDdsIsSeenInAllOfCoreAndSim) {
                           "processes",
                           "sim/a.cpp:1: includes fastrtps/x.h; Fast DDS stays in idl and the "
                           "processes"));
+}
+
+TEST(Rules, FastCdrServesMcapOnly) {
+  const std::string include = "#include <fastcdr/Cdr.h>\n";
+  EXPECT_THAT(core_is_arithmetic({{"sim/mcap/a.cpp", include}, {"idl/a.hpp", include}}), IsEmpty());
+  for (const std::string file : {"sim/mcap/a.hpp", "sim/a.cpp", "core/io/a.cpp"})
+    EXPECT_THAT(core_is_arithmetic({{file, include}}), testing::SizeIs(1)) << file;
 }
 
 TEST(Rules, ClocksAreSeen) {
