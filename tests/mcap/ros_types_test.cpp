@@ -49,6 +49,12 @@ TEST(RosTypes, PointsLieInTheCloudAsTheyAre) {
                             "0000803F 00000040 000000C0 0000003F 00000000 00000000 01")));
 }
 
+TEST(RosTypes, ACloudMayBeEmpty) {
+  EXPECT_TRUE(encode(ros::PointCloud2{})
+                  .ends_with(bytes("0C000000 00000000 00000000"  // a point, a row, all of it
+                                   "01")));
+}
+
 TEST(RosTypes, EncodesWhatIsLargerThanAtFirstThought) {
   const std::string frame(5000, 'f');
   EXPECT_THAT(encode(ros::PoseStamped{{0, frame}, {}}), HasSubstr(frame));

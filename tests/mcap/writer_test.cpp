@@ -192,11 +192,13 @@ TEST(McapWriter, StatesTheTimesOfMessagesInAnyOrder) {
   EXPECT_TRUE(all.at_end());
 }
 
+// The writer still open, the file is as it would be had the process been killed.
 TEST(McapWriter, LeavesCompleteChunksBehindWithoutClose) {
   mcap::McapWriter writer(file_for_this_test(), {.chunk_size = 400});
   const mcap::ChannelId a = writer.channel("/a", {}, "cdr");
-  for (std::uint32_t i = 0; i < 10; ++i) writer.write(a, i, i, i, std::string(69, 'x'));
-  // Still open, as it would lie there had the process been killed now.
+  for (std::uint32_t i = 0; i < 8; ++i) writer.write(a, i, i, i, std::string(69, 'x'));
+  EXPECT_THAT(mcap_test::messages_of(file_for_this_test(), false), SizeIs(8));
+  for (std::uint32_t i = 0; i < 2; ++i) writer.write(a, i, i, i, std::string(69, 'x'));
   EXPECT_THAT(mcap_test::messages_of(file_for_this_test(), false), SizeIs(8));
 }
 
