@@ -5,6 +5,7 @@
 #include "core/io/process/command_line.hpp"
 #include "sim/auction/command.hpp"
 #include "sim/checker/checker.hpp"
+#include "sim/commands/replay_command.hpp"
 #include "sim/commands/sim_command.hpp"
 #include "sim/launcher/launch.hpp"
 #include "sim/picture/picture.hpp"
@@ -128,12 +129,14 @@ int main(int argc, char** argv) {
       ->check(CLI::ExistingDirectory);
   const AuctionCommand auction(app);
   const SimCommand sim(app);
+  const ReplayCommand replay(app);
   CLI::App* reference_command =
       app.add_subcommand("config-reference", "print every key of a config, its range and default");
   return run_command_line(app, argc, argv, [&] {
     if (run_command->parsed()) return run(arguments);
     if (auction.parsed()) return auction.run();
     if (sim.parsed()) return sim.run();
+    if (replay.parsed()) return replay.run();
     if (check_command->parsed()) return check_again(directory);
     if (picture_command->parsed()) fmt::print("{}", draw_routes(directory));
     if (reference_command->parsed()) fmt::print("{}", config_reference());

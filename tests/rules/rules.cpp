@@ -50,7 +50,7 @@ std::string forbidden_edge(const std::string& from, const std::string& to) {
 
 /// Fast CDR only lays out bytes: files of ROS messages may use it where DDS has no business.
 bool may_lay_out_cdr(const std::string& path) {
-  return path.starts_with("sim/mcap/");
+  return path.starts_with("sim/mcap/") || path.starts_with("core/io/record");
 }
 
 bool matches(const std::string& text, const char* pattern) {
@@ -180,7 +180,7 @@ Violations core_is_arithmetic(const Files& files) {
   };
   append(found, includes_matching(files, "^fast(dds|rtps)/",
                                   "Fast DDS stays in idl and the processes", core_or_sim));
-  append(found, includes_matching(files, "^fastcdr/", "legal only in .cpp files of sim/mcap",
+  append(found, includes_matching(files, "^fastcdr/", "legal only in .cpp files of sim/mcap and core/io/record",
                                   [&](const std::string& path) {
                                     return core_or_sim(path) &&
                                            (!may_lay_out_cdr(path) || is_header(path));

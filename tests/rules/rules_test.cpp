@@ -168,7 +168,10 @@ TEST(Rules, FastDdsIsSeenInAllOfCoreAndSim) {
 
 TEST(Rules, FastCdrServesMcapOnly) {
   const std::string include = "#include <fastcdr/Cdr.h>\n";
-  EXPECT_THAT(core_is_arithmetic({{"sim/mcap/a.cpp", include}, {"idl/a.hpp", include}}), IsEmpty());
+  EXPECT_THAT(core_is_arithmetic({{"sim/mcap/a.cpp", include},
+                                  {"core/io/record/a.cpp", include},
+                                  {"idl/a.hpp", include}}),
+              IsEmpty());
   for (const std::string file : {"sim/mcap/a.hpp", "sim/a.cpp", "core/io/a.cpp"})
     EXPECT_THAT(core_is_arithmetic({{file, include}}), testing::SizeIs(1)) << file;
 }

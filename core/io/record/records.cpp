@@ -56,26 +56,26 @@ Record decoded(std::string_view bytes) {
 
 }  // namespace
 
-#define ARCBID_ENCODED(Type)                                 \
-  std::string encode(const Type& record) {                   \
-    return encoded(record);                                  \
-  }                                                          \
-  template <>                                                \
-  std::string schema_of<Type>() {                            \
-    return SchemaWriter::of<Type>();                         \
-  }                                                          \
-  template <>                                                \
-  std::string_view name_of_record<Type>() {                  \
-    return record_name<Type>;                                \
+#define ARCBID_ENCODED(Type)                \
+  std::string encode(const Type& record) {  \
+    return encoded(record);                 \
+  }                                         \
+  template <>                               \
+  std::string schema_of<Type>() {           \
+    return SchemaWriter::of<Type>();        \
+  }                                         \
+  template <>                               \
+  std::string_view name_of_record<Type>() { \
+    return record_name<Type>;               \
   }
-#define ARCBID_DECODED(Type)                                 \
-  template <>                                                \
-  Type decode(std::string_view bytes) {                      \
-    return decoded<Type>(bytes);                             \
+#define ARCBID_DECODED(Type)            \
+  template <>                           \
+  Type decode(std::string_view bytes) { \
+    return decoded<Type>(bytes);        \
   }
-#define ARCBID_SHOWN(Type)                                   \
-  nlohmann::json to_json(const Type& record) {               \
-    return JsonWriter::of(record);                           \
+#define ARCBID_SHOWN(Type)                     \
+  nlohmann::json to_json(const Type& record) { \
+    return JsonWriter::of(record);             \
   }
 
 ARCBID_ENCODED(Step)

@@ -13,14 +13,15 @@ namespace arcbid {
 /// there, or is something else, throws InputError with that place.
 class JsonPlace {
  public:
-  JsonPlace(const nlohmann::json& value, std::string file) : value_(&value), file_(std::move(file)) {}
+  JsonPlace(const nlohmann::json& value, std::string file)
+      : value_(&value), file_(std::move(file)) {}
 
   JsonPlace at(const std::string& key) const;
   bool has(const std::string& key) const { return value_->is_object() && value_->contains(key); }
   std::vector<JsonPlace> elements() const;
   bool is_null() const { return value_->is_null(); }
 
-  double number() const;                       ///< finite
+  double number() const;                          ///< finite
   std::uint64_t whole(std::uint64_t most) const;  ///< an integer in [0, most]
   bool truth() const;
   std::string text() const;

@@ -76,7 +76,8 @@ json route_of(const Route& route) {
       out["to_m"] = leg.to_m;
     }
     out["waypoints"] = json::array();
-    for (const Waypoint& waypoint : leg.waypoints) out["waypoints"].push_back(waypoint_json(waypoint));
+    for (const Waypoint& waypoint : leg.waypoints)
+      out["waypoints"].push_back(waypoint_json(waypoint));
     legs.push_back(std::move(out));
   }
   return {{"length_m", route.length_m},

@@ -100,7 +100,8 @@ void RunLogReader::read(const std::function<bool(const Record&)>& take, std::int
   while (impl_->next(rows.get())) {
     const auto name = impl_->names.find(sqlite3_column_int(rows.get(), 2));
     if (name == impl_->names.end())
-      impl_->refuse(fmt::format("record {} is of no known kind", sqlite3_column_int64(rows.get(), 0)));
+      impl_->refuse(
+          fmt::format("record {} is of no known kind", sqlite3_column_int64(rows.get(), 0)));
     if (!take({sqlite3_column_int64(rows.get(), 0), sqlite3_column_int64(rows.get(), 1),
                name->second, Impl::bytes(rows.get(), 3)}))
       return;

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/replay/life_log.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/base/error.hpp"
+#include "core/io/run/agent_log.hpp"
+
+namespace arcbid {
+namespace {
+
+template <class... F>
+struct Overloaded : F... {
+  using F::operator()...;
+};
+
+std::optional<MessageId> heard_in(const Event& event) {
+  return std::visit(Overloaded{[](const Tick&) -> std::optional<MessageId> { return {}; },
+                               [](const RoutePublished&) -> std::optional<MessageId> { return {}; },
+                               [](const auto& message) -> std::optional<MessageId> {
+                                 const Header& h = message.header;
+                                 return MessageId{h.sender, h.incarnation, h.sequence};
+                               }},
+                    event.what);
+}
+
+const Statement* statement_in(const Event& event) {
+  if (const auto* bid = std::get_if<BidMessage>(&event.what)) return &bid->statement;
+  if (const auto* relay = std::get_if<RelayMessage>(&event.what)) return &relay->statement;
+  return nullptr;
+}
+
+template <class Record>
+Record decoded(const RunLogReader::Record& record, const std::filesystem::path& file) {
+  try {
+    return decode<Record>(record.body);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: record {} ({}): {}", file.string(), record.seq, record.kind,
+                                 error.what()));
+  }
+}
+
+}  // namespace
+
+LifeLog::LifeLog(const std::filesystem::path& file)
+    : reader_(std::make_unique<RunLogReader>(file)) {
+  read_head();
+  try {
+    index();
+  } catch (const InputError& error) {
+    damage_ = error.what();
+  }
+}
+
+void LifeLog::read_head() {
+  const auto process = reader_->meta("process");
+  const auto build = reader_->meta("build");
+  const auto seed = reader_->meta("seed");
+  if (!process.is_object() || !process.value("agent", nlohmann::json()).is_number_unsigned())
+    throw InputError(
+        fmt::format("{}: meta process: is not an agent's: {}", file().string(), process.dump()));
+  agent_ = {process["agent"].get<std::uint32_t>()};
+  incarnation_ = process.value("incarnation", std::uint64_t{0});
+  pid_ = process.value("pid", std::uint64_t{0});
+  seed_ = seed.is_number_unsigned() ? seed.get<std::uint64_t>() : 0;
+  if (build.is_object())
+    build_ = fmt::format("{} {}", build.value("version", "?"), build.value("commit", ""));
+  for (const RecordKind& kind : reader_->kinds())
+    if (kind.name == log_kind::step && kind.schema != schema_of<Step>())
+      throw InputError(
+          fmt::format("{}: its steps have another schema than this build's: written by arcbid {}",
+                      file().string(), build_));
+}
+
+void LifeLog::index() {
+  reader_->read([this](const RunLogReader::Record& record) {
+    take(record);
+    last_ns_ = record.t_ns;
+    return true;
+  });
+}
+
+void LifeLog::take(const RunLogReader::Record& record) {
+  if (record.kind == log_kind::step) {
+    if (!birth_) throw InputError(fmt::format("{}: a step before its birth", file().string()));
+    mark(record, decoded<Step>(record, file()));
+  } else if (record.kind == log_kind::mission) {
+    mission_ = std::make_shared<const Mission>(decoded<Mission>(record, file()));
+    born_ns_ = record.t_ns;
+    learnt_.resize(mission_->fleet.size());
+  } else if (record.kind == log_kind::birth) {
+    birth_ = decoded<Birth>(record, file());
+  } else if (record.kind == log_kind::end) {
+    const auto body = nlohmann::json::parse(record.body, nullptr, false);
+    if (body.is_object()) ended_by_ = body.value("by", "");
+  }
+}
+
+std::size_t LifeLog::position(AgentId agent) const {
+  const auto at = std::find_if(mission_->fleet.begin(), mission_->fleet.end(),
+                               [agent](const Uav& uav) { return uav.id == agent; });
+  return static_cast<std::size_t>(at - mission_->fleet.begin());
+}
+
+void LifeLog::mark(const RunLogReader::Record& record, const Step& step) {
+  const Update& update = step.update;
+  Mark mark;
+  mark.seq = record.seq;
+  mark.t_ns = record.t_ns;
+  mark.event = static_cast<std::uint8_t>(step.event.what.index());
+  mark.refused = update.refused.has_value();
+  mark.decided = update.decision.has_value();
+  mark.changed = update.decision && update.decision->changed;
+  mark.started = update.started;
+  mark.lost = update.agreement_lost;
+  mark.agreed = update.agreed.has_value();
+  mark.died = !update.died.empty();
+  mark.returned = !update.returned.empty();
+  if (update.decision) round_ = update.decision->round;
+  mark.round = round_;
+  mark.heard = heard_in(step.event);
+  mark.sent = update.bids.size() + update.relays.size() + update.statuses.size();
+  mark.first_sent = UINT64_MAX;
+  const auto note = [&mark](const auto& messages) {
+    for (const auto& message : messages)
+      mark.first_sent = std::min(mark.first_sent, message.header.sequence);
+  };
+  note(update.bids), note(update.relays), note(update.statuses);
+  marks_.push_back(mark);
+  if (const Statement* heard = statement_in(step.event); heard && !update.refused)
+    learn(*heard, false);
+  for (const AgentId dead : update.died) bury(dead);
+  if (update.decision) learn({agent_, update.decision->key, update.decision->body}, true);
+  for (const BidMessage& bid : update.bids) learn(bid.statement, true);
+}
+
+/// As View::merge does: what is newer is held.
+void LifeLog::learn(const Statement& statement, bool is_own) {
+  const std::size_t member = position(statement.agent);
+  if (member >= learnt_.size() || (!is_own && statement.agent == agent_)) return;
+  std::vector<Learnt>& held = learnt_[member];
+  if (!held.empty() && statement.key <= held.back().key) return;
+  held.push_back({marks_.size() - 1, statement.key, is_own});
+  marks_.back().learnt = true;
+}
+
+void LifeLog::bury(AgentId agent) {
+  const std::size_t member = position(agent);
+  if (member >= learnt_.size()) return;
+  StatementKey key = learnt_[member].empty() ? StatementKey{} : learnt_[member].back().key;
+  if (key.dead) return;  // a tombstone that was heard of
+  key.dead = true;
+  learnt_[member].push_back({marks_.size() - 1, key, false});
+  marks_.back().learnt = true;
+}
+
+Step LifeLog::step(std::size_t mark) const {
+  std::optional<Step> found;
+  reader_->read(
+      [&](const RunLogReader::Record& record) {
+        found = decoded<Step>(record, file());
+        return false;
+      },
+      marks_.at(mark).seq);
+  if (!found)
+    throw InputError(fmt::format("{}: record {} is gone", file().string(), marks_[mark].seq));
+  return std::move(*found);
+}
+
+void LifeLog::steps(
+    const std::function<bool(std::size_t mark, Step step, std::string_view bytes)>& take,
+    std::size_t from) const {
+  if (from >= marks_.size()) return;
+  std::size_t at = from;
+  reader_->read(
+      [&](const RunLogReader::Record& record) {
+        if (record.kind != log_kind::step) return true;
+        const bool more = take(at++, decoded<Step>(record, file()), record.body);
+        return more && at < marks_.size();
+      },
+      marks_[from].seq);
+}
+
+std::vector<PlannedRoute> LifeLog::routes() const {
+  std::vector<PlannedRoute> out;
+  const std::int64_t last = marks_.empty() ? 0 : marks_.back().seq;
+  reader_->read(
+      [&](const RunLogReader::Record& record) {
+        out.push_back(decoded<PlannedRoute>(record, file()));
+        return record.seq < last || !damage_;
+      },
+      0, log_kind::route);
+  return out;
+}
+
+}  // namespace arcbid
