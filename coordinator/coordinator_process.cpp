@@ -91,7 +91,10 @@ void CoordinatorProcess::publish_mission() {
   mission_digest_ = digest(mission_);
   progress_.emplace(mission_);
   for (const std::string& warning : plan.warnings) report_("warning", {{"text", warning}});
-  if (options_.run) write_arcs_file(*options_.run, mission_);
+  if (options_.run) {
+    write_arcs_file(*options_.run, mission_);
+    write_structure_file(*options_.run, plan.shown);
+  }
   if (log_) {
     log_->append(now_ns(), log_->kind(cdr_kind<Mission>(log_kind::mission)), encode(mission_));
     log_->commit();

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <chrono>
+#include <cstdio>
 #include <ctime>
+#include <thread>
 
 #include "core/io/faults/fault_files.hpp"
 #include "core/io/process/command_line.hpp"
@@ -7,8 +10,10 @@
 #include "sim/checker/checker.hpp"
 #include "sim/commands/replay_command.hpp"
 #include "sim/commands/sim_command.hpp"
+#include "sim/commands/view_command.hpp"
 #include "sim/launcher/launch.hpp"
 #include "sim/picture/picture.hpp"
+#include "sim/view/server.hpp"
 
 namespace {
 
@@ -17,7 +22,7 @@ using namespace arcbid;
 struct RunArguments {
   std::string config, structure, unit, up, out, faults, fault_tier;
   std::optional<std::uint32_t> agents;
-  bool print_config = false;
+  bool print_config = false, view = false, report = false;
 };
 
 Config configured(const RunArguments& arguments) {
@@ -50,6 +55,19 @@ std::filesystem::path new_run_directory(const std::string& name) {
   return std::filesystem::path("runs") / fmt::format("{}-{}-{}", name, stamp, getpid());
 }
 
+std::filesystem::path programs() {
+  return std::filesystem::read_symlink("/proc/self/exe").parent_path();
+}
+
+/// A run is good without its picture.
+void report_if_built(const std::filesystem::path& out) {
+  try {
+    write_report(out, programs(), out / "report.html");
+  } catch (const InputError& error) {
+    fmt::print(stderr, "no report: {}\n", error.what());
+  }
+}
+
 Exit run(const RunArguments& arguments) {
   const Config config = configured(arguments);
   if (arguments.print_config) {
@@ -58,12 +76,21 @@ Exit run(const RunArguments& arguments) {
   }
   const std::filesystem::path out =
       arguments.out.empty() ? new_run_directory(config.name) : std::filesystem::path(arguments.out);
-  const auto self = std::filesystem::read_symlink("/proc/self/exe");
   std::optional<FaultSchedule> faults;
   if (!arguments.faults.empty()) faults = load_faults(arguments.faults, fleet_ids(config));
   const FaultTier tier = arguments.fault_tier == name_of(FaultTier::packets) ? FaultTier::packets
                                                                              : FaultTier::messages;
-  return launch({config, std::filesystem::absolute(out), faults, tier, self.parent_path()});
+  std::optional<ViewServer> viewer;
+  if (arguments.view) {
+    viewer.emplace(std::filesystem::absolute(out), programs(), 0);
+    fmt::print("the run is seen at {} until Ctrl-C\n", viewer->address());
+    std::fflush(stdout);
+  }
+  const Exit exit = launch({config, std::filesystem::absolute(out), faults, tier, programs()});
+  if (arguments.report && exit != Exit::bad_input) report_if_built(out);
+  while (viewer && exit != Exit::bad_input && !stop_requested())
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  return exit;
 }
 
 Exit check_again(const std::string& directory) {
@@ -99,6 +126,8 @@ CLI::App* add_run(CLI::App& app, RunArguments& arguments) {
                   "what the faults of links act on: messages (default), or packets, under DDS")
       ->check(CLI::IsMember({"messages", "packets"}))
       ->needs(faults);
+  run->add_flag("--view", arguments.view, "serve the viewer meanwhile, and until Ctrl-C");
+  run->add_flag("--report", arguments.report, "end by writing the viewer with the run in it");
   run->add_flag("--print-config", arguments.print_config,
                 "print the config as it would run, and stop");
   return run;
@@ -130,6 +159,7 @@ int main(int argc, char** argv) {
   const AuctionCommand auction(app);
   const SimCommand sim(app);
   const ReplayCommand replay(app);
+  const ViewCommand view(app);
   CLI::App* reference_command =
       app.add_subcommand("config-reference", "print every key of a config, its range and default");
   return run_command_line(app, argc, argv, [&] {
@@ -137,6 +167,7 @@ int main(int argc, char** argv) {
     if (auction.parsed()) return auction.run();
     if (sim.parsed()) return sim.run();
     if (replay.parsed()) return replay.run();
+    if (view.parsed()) return view.run(programs());
     if (check_command->parsed()) return check_again(directory);
     if (picture_command->parsed()) fmt::print("{}", draw_routes(directory));
     if (reference_command->parsed()) fmt::print("{}", config_reference());

@@ -35,6 +35,17 @@ ArcPlan arcs_of(const StructureInput& input, const Config& config) {
   }
 }
 
+/// A mesh that is small enough stays one; of anything larger, points at equal steps.
+Structure thinned(const Structure& structure) {
+  constexpr std::size_t most = 200'000;
+  if (structure.points.size() <= most && structure.triangles.size() <= most) return structure;
+  Structure out;
+  const std::size_t step = (structure.points.size() + most - 1) / most;
+  for (std::size_t p = 0; p < structure.points.size(); p += step)
+    out.points.push_back(structure.points[p]);
+  return out;
+}
+
 /// Everybody splits the arcs alike, so it is known beforehand whether the bundles can hold them.
 void require_room(const Mission& mission) {
   const std::size_t limit = mission.auction.bundle_limit, agents = mission.fleet.size();
@@ -73,6 +84,7 @@ MissionPlan plan_mission(const Config& config, std::uint64_t id) {
   StructureInput input = structure_of(config.structure);
   ArcPlan arcs = arcs_of(input, config);
   MissionPlan plan;
+  plan.shown = thinned(input.structure);
   plan.warnings = std::move(input.warnings);
   append(plan.warnings, std::move(arcs.warnings));
   plan.mission = {

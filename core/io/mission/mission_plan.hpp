@@ -13,6 +13,7 @@ namespace arcbid {
 struct MissionPlan {
   Mission mission;
   std::vector<std::string> warnings;  ///< one line each
+  Structure shown;  ///< the structure for whoever looks: thinned to at most 200,000 points
 };
 
 /// Structure in, arcs out, a home for every UAV: reads the structure (or generates the parametric

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <bit>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -41,6 +42,35 @@ void write_arcs_file(const std::filesystem::path& run, const Mission& mission) {
                  {"fleet", fleet_json(mission)},
                  {"arcs", arcs_json(mission)}};
   write_whole(run / "arcs.json", out.dump());
+}
+
+namespace {
+
+template <class T>
+void append_bytes(std::string& out, T value) {
+  static_assert(std::endian::native == std::endian::little);
+  out.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+}  // namespace
+
+void write_structure_file(const std::filesystem::path& run, const Structure& structure) {
+  std::string out = fmt::format(
+      "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty float x\nproperty float "
+      "y\n"
+      "property float z\n",
+      structure.points.size());
+  if (structure.is_mesh())
+    out += fmt::format("element face {}\nproperty list uchar int vertex_indices\n",
+                       structure.triangles.size());
+  out += "end_header\n";
+  for (const Vec3& point : structure.points)
+    for (int axis = 0; axis < 3; ++axis) append_bytes(out, static_cast<float>(point[axis]));
+  for (const auto& triangle : structure.triangles) {
+    out += '\x03';
+    for (const std::uint32_t corner : triangle) append_bytes(out, corner);
+  }
+  write_whole(run / "structure.ply", out);
 }
 
 namespace {

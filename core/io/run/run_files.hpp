@@ -6,6 +6,7 @@
 #include "core/arcs/mission.hpp"
 #include "core/auction/agent.hpp"
 #include "core/route/route.hpp"
+#include "core/structure/structure.hpp"
 
 namespace arcbid {
 
@@ -13,6 +14,9 @@ namespace arcbid {
 /// written beside its place and renamed. Throw InputError when the place cannot be written to at
 /// all, RunError when writing fails on the way.
 void write_arcs_file(const std::filesystem::path& run, const Mission& mission);
+
+/// structure.ply: what the arcs were made for, as whoever looks at the run is shown it.
+void write_structure_file(const std::filesystem::path& run, const Structure& structure);
 
 /// `time_s`: when agreement was proven, since launch.
 void write_route_file(const std::filesystem::path& run, AgentId agent, const Mission& mission,

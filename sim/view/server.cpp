@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/view/server.hpp"
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <mutex>
+#include <thread>
+
+#include "core/base/error.hpp"
+#include "sim/view/page.hpp"
+#include "sim/view/view_data.hpp"
+// Last: the system headers that it takes in define names that Eigen uses.
+#include <httplib.h>
+
+namespace arcbid {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr const char* host = "127.0.0.1";
+constexpr auto look_interval = 250ms;
+constexpr int keep_alive_looks = 20;  // without news, so that a reader that is gone is noticed
+
+/// Changes whenever a log does: sizes and times of all files in the run's folder of logs.
+std::uint64_t stamp_of(const std::filesystem::path& run) {
+  std::uint64_t stamp = std::filesystem::exists(run / "result.json") ? 1 : 0;
+  std::error_code gone;
+  for (const auto& entry : std::filesystem::directory_iterator(run / "logs", gone)) {
+    stamp = stamp * 1099511628211u + entry.file_size(gone);
+    const auto changed = entry.last_write_time(gone).time_since_epoch().count();
+    stamp = stamp * 1099511628211u + static_cast<std::uint64_t>(changed);
+  }
+  return stamp;
+}
+
+}  // namespace
+
+struct ViewServer::Impl {
+  std::filesystem::path run;
+  std::string page;
+  httplib::Server server;
+  int port = 0;
+  std::atomic<bool> stopping = false;
+  std::mutex mutex;  // guards what follows
+  std::uint64_t stamp = 0;
+  std::string data;  // gzip
+  std::thread thread;
+
+  /// A run that has only begun has nothing to show yet: an empty object.
+  std::string fresh_data() {
+    const std::scoped_lock lock(mutex);
+    const std::uint64_t now = stamp_of(run);
+    if (now == stamp && !data.empty()) return data;
+    stamp = now;
+    try {
+      data = gzip(view_data(open_run(run)).dump());
+    } catch (const InputError&) {
+      data = gzip("{\"schema\": 1, \"live\": true}");
+    }
+    return data;
+  }
+
+  void serve_updates(httplib::Response& response) {
+    response.set_header("Cache-Control", "no-store");
+    auto told = std::make_shared<std::uint64_t>(0);
+    auto version = std::make_shared<int>(0);
+    response.set_chunked_content_provider(
+        "text/event-stream", [this, told, version](std::size_t, httplib::DataSink& sink) {
+          for (int looks = 0; looks < keep_alive_looks && !stopping; ++looks) {
+            const std::uint64_t now = stamp_of(run);
+            if (now != *told) {
+              *told = now;
+              return say(sink, ++*version);
+            }
+            std::this_thread::sleep_for(look_interval);
+          }
+          const std::string_view idle = ": nothing new\n\n";
+          return !stopping && sink.write(idle.data(), idle.size());
+        });
+  }
+  bool say(httplib::DataSink& sink, int version) const {
+    const bool ended = std::filesystem::exists(run / "result.json");
+    const std::string line =
+        fmt::format("data: {{\"version\": {}, \"ended\": {}}}\n\n", version, ended);
+    return sink.write(line.data(), line.size());
+  }
+};
+
+ViewServer::ViewServer(std::filesystem::path run, const std::filesystem::path& programs,
+                       std::uint16_t port)
+    : impl_(std::make_unique<Impl>()) {
+  Impl& self = *impl_;
+  self.run = std::move(run);
+  self.page = viewer_page(programs);
+  self.server.Get("/", [&self](const httplib::Request&, httplib::Response& response) {
+    response.set_content(self.page, "text/html; charset=utf-8");
+  });
+  self.server.Get("/data", [&self](const httplib::Request&, httplib::Response& response) {
+    response.set_header("Content-Encoding", "gzip");
+    response.set_header("Cache-Control", "no-store");
+    response.set_content(self.fresh_data(), "application/json");
+  });
+  self.server.Get("/updates", [&self](const httplib::Request&, httplib::Response& response) {
+    self.serve_updates(response);
+  });
+  if (port == 0)
+    self.port = self.server.bind_to_any_port(host);
+  else if (self.server.bind_to_port(host, port))
+    self.port = port;
+  if (self.port <= 0)
+    throw InputError(fmt::format("--port {}: is taken; legal: a free one, or 0 for any", port));
+  self.thread = std::thread([&self] { self.server.listen_after_bind(); });
+}
+
+ViewServer::~ViewServer() {
+  impl_->stopping = true;
+  impl_->server.stop();
+  if (impl_->thread.joinable()) impl_->thread.join();
+}
+
+std::string ViewServer::address() const {
+  return fmt::format("http://{}:{}/", host, impl_->port);
+}
+
+}  // namespace arcbid

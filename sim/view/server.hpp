@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace arcbid {
+
+/// Serves the viewer of one run on this machine, also while the run goes on: the page at /, what it
+/// shows at /data, and at /updates a server-sent event whenever there is more to see. Reads the
+/// run's logs only; binds 127.0.0.1.
+class ViewServer {
+ public:
+  /// `port` 0: any that is free. Throws InputError when it is taken, or the viewer was not built.
+  ViewServer(std::filesystem::path run, const std::filesystem::path& programs, std::uint16_t port);
+  ~ViewServer();
+
+  std::string address() const;  ///< where a browser finds it
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace arcbid

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "sim/replay/playback.hpp"
+
+namespace arcbid {
+
+/// What the viewer shows of a run (docs/VIEWER.md has the format): only what its logs say, and
+/// what follows from that.
+nlohmann::json view_data(const RunArchive& run);
+
+/// Parts of it. `views`: z and y of every life, change by change; `decisions`: what was claimed;
+/// `states` and `events` in causal order.
+nlohmann::json auction_data(const RunArchive& run, const Playback& playback);
+/// Messages of each directed link, by time: heard and lost.
+nlohmann::json links_data(const RunArchive& run);
+
+/// Seconds since launch.
+inline double seconds(TimeNs t_ns) {
+  return static_cast<double>(t_ns) * 1e-9;
+}
+
+}  // namespace arcbid
