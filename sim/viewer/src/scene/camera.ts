@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A camera that stands on the ground's up, orbits by mouse and by key, and fits a box into the view.
+import * as THREE from 'three';
+import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
+
+/** The way the box is longer goes across the picture; seen from a little aside and above. */
+const ASIDE = 0.5, ABOVE = 0.42;
+
+export class OrbitCamera {
+  readonly camera = new THREE.PerspectiveCamera(38, 1, 0.1, 10000);
+  private readonly controls: OrbitControls;
+  private bounds = new THREE.Box3();
+
+  constructor(canvas: HTMLElement, moved: () => void) {
+    this.camera.up.set(0, 0, 1);
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.zoomToCursor = true;
+    this.controls.addEventListener('change', moved);
+  }
+
+  setBounds(bounds: THREE.Box3): void {
+    this.bounds = bounds;
+    const size = bounds.getSize(new THREE.Vector3()).length();
+    this.camera.near = size / 2000;
+    this.camera.far = size * 20;
+    this.controls.minDistance = size / 200;
+    this.controls.maxDistance = size * 8;
+  }
+
+  setAspect(aspect: number): void {
+    this.camera.aspect = aspect;
+    this.camera.updateProjectionMatrix();
+  }
+
+  fit(): void {
+    const size = this.bounds.getSize(new THREE.Vector3());
+    const across = size.x >= size.y ? 0 : Math.PI / 2;
+    const azimuth = across - Math.PI / 2 + ASIDE;
+    const away = new THREE.Vector3(Math.cos(azimuth) * Math.cos(ABOVE), Math.sin(azimuth) * Math.cos(ABOVE), Math.sin(ABOVE));
+    const centre = this.bounds.getCenter(new THREE.Vector3());
+    let near = size.length() / 100, far = size.length() * 8;
+    for (let i = 0; i < 30; i++) {
+      const middle = (near + far) / 2;
+      this.stand(centre, away, middle);
+      if (this.holdsAll()) far = middle; else near = middle;
+    }
+    this.stand(centre, away, far);
+    this.controls.update();
+  }
+
+  private stand(centre: THREE.Vector3, away: THREE.Vector3, distance: number): void {
+    this.camera.position.copy(centre).addScaledVector(away, distance);
+    this.controls.target.copy(centre);
+    this.camera.lookAt(centre);
+    this.camera.updateMatrixWorld();
+  }
+
+  private holdsAll(): boolean {
+    const corner = new THREE.Vector3();
+    const { min, max } = this.bounds;
+    for (const x of [min.x, max.x]) for (const y of [min.y, max.y]) for (const z of [min.z, max.z]) {
+      corner.set(x, y, z).project(this.camera);
+      if (Math.abs(corner.x) > 0.93 || Math.abs(corner.y) > 0.9 || corner.z > 1) return false;
+    }
+    return true;
+  }
+
+  /** By key: angles in radians, nearer by a factor. */
+  turn(aside: number, up: number, closer = 1): void {
+    const arm = this.camera.position.clone().sub(this.controls.target);
+    const spherical = new THREE.Spherical().setFromVector3(new THREE.Vector3(arm.y, arm.z, arm.x));
+    spherical.theta += aside;
+    spherical.phi = Math.min(Math.max(spherical.phi - up, 0.05), Math.PI - 0.05);
+    spherical.radius *= closer;
+    const turned = new THREE.Vector3().setFromSpherical(spherical);
+    this.camera.position.copy(this.controls.target).add(new THREE.Vector3(turned.z, turned.x, turned.y));
+    this.controls.update();
+  }
+
+  /** Metres a pixel, one metre away. */
+  unit(height: number): number {
+    return (2 * Math.tan((this.camera.fov * Math.PI) / 360)) / Math.max(height, 1);
+  }
+}

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is inspected: a cloud of points or a mesh, on a faint grid.
+import * as THREE from 'three';
+import { floatsOf, trianglesOf } from '../model/decode';
+import type { RunData } from '../model/data';
+
+export interface Tones { background: string; low: string; high: string; grid: string }
+
+export const tonesOf = (dark: boolean): Tones => dark
+  ? { background: '#11151a', low: '#2c343d', high: '#77838f', grid: '#1d242b' }
+  : { background: '#f3f4f5', low: '#8f979f', high: '#c3c9cf', grid: '#e3e6e8' };
+
+/** Of the structure, or of the arcs where there is none, and of the homes. */
+export function boundsOf(data: RunData, points: Float32Array): THREE.Box3 {
+  const box = new THREE.Box3();
+  const at = new THREE.Vector3();
+  for (let i = 0; i + 2 < points.length; i += 3) box.expandByPoint(at.set(points[i], points[i + 1], points[i + 2]));
+  for (const { line } of [...data.arcs, ...data.tasks])
+    for (let i = 0; i + 2 < line.length; i += 3) box.expandByPoint(at.set(line[i], line[i + 1], line[i + 2]));
+  for (const { home } of data.agents) box.expandByPoint(at.set(home[0], home[1], home[2]));
+  if (box.isEmpty()) box.set(new THREE.Vector3(-10, -10, 0), new THREE.Vector3(10, 10, 10));
+  return box;
+}
+
+export class Structure {
+  readonly group = new THREE.Group();
+  readonly points: Float32Array;
+  readonly bounds: THREE.Box3;
+  private solid: THREE.Points | THREE.Mesh | undefined;
+  private grid: THREE.LineSegments | undefined;
+
+  constructor(private readonly data: RunData) {
+    this.points = floatsOf(data.structure.points);
+    this.bounds = boundsOf(data, this.points);
+  }
+
+  setTheme(dark: boolean): void {
+    this.dispose();
+    const tones = tonesOf(dark);
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute('position', new THREE.BufferAttribute(this.points, 3));
+    const triangles = trianglesOf(this.data.structure.triangles, this.points.length / 3);
+    if (triangles.length > 0) {
+      geometry.setIndex(new THREE.BufferAttribute(triangles, 1));
+      const material = new THREE.MeshLambertMaterial({ color: tones.high, flatShading: true, side: THREE.DoubleSide });
+      this.solid = new THREE.Mesh(geometry, material);
+    } else if (this.points.length > 0) {
+      geometry.setAttribute('color', new THREE.BufferAttribute(this.shades(tones), 3));
+      const material = new THREE.PointsMaterial({ size: this.grain(), vertexColors: true });
+      this.solid = new THREE.Points(geometry, material);
+    }
+    if (this.solid) this.group.add(this.solid);
+    this.grid = this.makeGrid(tones);
+    this.group.add(this.grid);
+  }
+
+  /** Higher is lighter: the one cue of form that a bare cloud has. */
+  private shades(tones: Tones): Float32Array {
+    const low = new THREE.Color(tones.low), high = new THREE.Color(tones.high);
+    const { min, max } = this.bounds;
+    const colours = new Float32Array(this.points.length);
+    const mixed = new THREE.Color();
+    for (let i = 0; i < this.points.length; i += 3)
+      mixed.lerpColors(low, high, (this.points[i + 2] - min.z) / Math.max(max.z - min.z, 1e-6)).toArray(colours, i);
+    return colours;
+  }
+
+  /** About as large as points lie apart. */
+  private grain(): number {
+    const size = this.bounds.getSize(new THREE.Vector3());
+    return 0.4 * Math.sqrt((size.x * Math.max(size.y, size.z) * 2) / Math.max(this.points.length / 3, 1));
+  }
+
+  private makeGrid(tones: Tones): THREE.LineSegments {
+    const { min, max } = this.bounds;
+    const centre = this.bounds.getCenter(new THREE.Vector3());
+    const span = 1.6 * Math.max(max.x - min.x, max.y - min.y);
+    const step = 10 ** Math.round(Math.log10(span / 20));
+    const lines = Math.ceil(span / step);
+    const grid = new THREE.GridHelper(lines * step, lines, tones.grid, tones.grid);
+    grid.rotation.x = Math.PI / 2;
+    grid.position.set(centre.x, centre.y, min.z - 0.002 * span);
+    return grid;
+  }
+
+  dispose(): void {
+    for (const object of [this.solid, this.grid])
+      if (object) {
+        this.group.remove(object);
+        object.geometry.dispose();
+        (object.material as THREE.Material).dispose();
+      }
+    this.solid = this.grid = undefined;
+  }
+}
