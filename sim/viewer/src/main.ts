@@ -29,8 +29,8 @@ function build(): { app: App; header: Header } {
   const theme: ThemeSwitch = new ThemeSwitch(app, (chosen) => header.tellTheme(chosen));
   const keys: Keys = new Keys(app, byId('help-place'), () => theme.next());
   const panels = byId('panels');
-  const parts = [header, new LoadPanel(app, panels), new PiecePanel(app, panels), new RoundPanel(app, panels),
-    new LinkPanel(app, panels), new EventPanel(app, panels), new Timeline(app, byId('timeline'))];
+  const parts = [header, new LoadPanel(app, panels), new LinkPanel(app, panels), new PiecePanel(app, panels),
+    new RoundPanel(app, panels), new EventPanel(app, panels), new Timeline(app, byId('timeline'))];
   for (const part of parts) app.add(part);
   pointAt(app, canvas);
   theme.apply();

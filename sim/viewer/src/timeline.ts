@@ -2,6 +2,7 @@
 // The foot of the page: play, pace, and the two tracks.
 import type { App, Part } from './app';
 import { h, setText } from './dom';
+import { icon } from './icons';
 import { RATES, type Track } from './model/clock';
 import { disputeSeries, sampleTimes } from './model/series';
 import type { ViewModel } from './model/view_model';
@@ -16,12 +17,13 @@ const MINOR = new Set(['route', 'refused', 'fault']);
 const MOST_MINOR = 40;
 
 export class Timeline implements Part {
-  private readonly playButton = h('button', { id: 'play', class: 'play' }, '▶');
+  private readonly playButton = h('button', { id: 'play', class: 'play' });
   private readonly rate = h('select', { id: 'rate', 'aria-label': 'Pace' });
   private readonly real = h('span', { id: 'real-rate', class: 'warning', role: 'status' });
-  private readonly loop = h('button', { id: 'loop', title: 'Loop', 'aria-label': 'Loop' }, '⟳');
+  private readonly loop = h('button', { id: 'loop', title: 'Loop', 'aria-label': 'Loop' }, icon('loop'));
   private readonly tracks: Record<Track, TrackBar>;
   private shownRates: Track | undefined;
+  private playing: boolean | undefined;
 
   constructor(private readonly app: App, place: HTMLElement) {
     const bar = (track: Track, name: string): TrackBar => new TrackBar(track, name, (t) => app.seek(t, track), () => app.seek(app.clock.now[track], track));
@@ -29,10 +31,10 @@ export class Timeline implements Part {
     this.playButton.addEventListener('click', () => app.play(!app.clock.playing));
     this.rate.addEventListener('change', () => { app.clock.rate[app.clock.track] = Number(this.rate.value); app.changed(); });
     this.loop.addEventListener('click', () => { app.clock.loop = !app.clock.loop; app.changed(); });
-    const button = (text: string, title: string, act: () => void): HTMLElement => h('button', { title, 'aria-label': title, onclick: act }, text);
+    const button = (name: string, title: string, act: () => void): HTMLElement => h('button', { title, 'aria-label': title, onclick: act }, icon(name));
     const controls = h('div', { class: 'controls', role: 'group', 'aria-label': 'Playback' },
-      button('⏮', 'Previous event ( [ )', () => moveToEvent(app, -1)), button('‹', 'Step back (←)', () => step(app, -1)), this.playButton,
-      button('›', 'Step on (→)', () => step(app, 1)), button('⏭', 'Next event ( ] )', () => moveToEvent(app, 1)), this.loop, this.rate, this.real);
+      button('first', 'Previous event ( [ )', () => moveToEvent(app, -1)), button('back', 'Step back (←)', () => step(app, -1)), this.playButton,
+      button('on', 'Step on (→)', () => step(app, 1)), button('last', 'Next event ( ] )', () => moveToEvent(app, 1)), this.loop, this.rate, this.real);
     place.append(controls, h('div', { class: 'tracks' }, this.tracks.auction.element, this.tracks.mission.element));
   }
 
@@ -49,7 +51,8 @@ export class Timeline implements Part {
 
   update(now: Snapshot): void {
     const { clock } = this.app;
-    setText(this.playButton, clock.playing ? '❚❚' : '▶');
+    if (this.playing !== clock.playing) this.playButton.replaceChildren(icon(clock.playing ? 'pause' : 'play'));
+    this.playing = clock.playing;
     this.playButton.setAttribute('aria-label', clock.playing ? 'Pause' : 'Play');
     this.loop.setAttribute('aria-pressed', String(clock.loop));
     if (this.shownRates !== clock.track) {
@@ -60,7 +63,7 @@ export class Timeline implements Part {
     setText(this.real, clock.fallsBehind ? `really ${rateText(clock.realRate)}` : '');
     const { model } = now;
     const disputes = `round ${model.fleet.roundAt(now.t)} · ${now.disputes} disputed`;
-    this.tracks.auction.update(clock.now.auction, clock.track === 'auction', disputes);
+    this.tracks.auction.update(clock.now.auction, clock.track === 'auction', clock.track === 'auction' ? disputes : '');
     const flying = model.agents.filter((agent) => model.mission.placeOf(agent, clock.now.mission).flying).length;
     this.tracks.mission.update(clock.now.mission, clock.track === 'mission', model.mission.known ? `${flying} flying` : 'no routes yet');
   }

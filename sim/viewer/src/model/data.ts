@@ -62,17 +62,20 @@ function auctionOf(raw: Json): Auction {
   return auction;
 }
 
-/** The first and the last moment that anything is known of. */
+/**
+ * The first and the last moment at which something happened. Of a state only the end counts:
+ * processes wait long before there is anything to see.
+ */
 export function extent(auction: Auction): [number, number] {
   let first = Infinity, last = -Infinity;
-  const ordered: { t_s: number }[][] = [auction.decisions, auction.states, auction.events];
-  for (const view of auction.views) ordered.push(view.changes);
+  const ordered: { t_s: number }[][] = [auction.decisions, auction.events, ...auction.views.map((view) => view.changes)];
   for (const items of ordered) {
     if (items.length === 0) continue;
     first = Math.min(first, items[0].t_s);
     last = Math.max(last, items[items.length - 1].t_s);
   }
-  return first <= last ? [first, last] : [0, 0];
+  for (const { t_s } of auction.states) last = Math.max(last, t_s);
+  return first <= last ? [first, last] : [Math.max(last, 0), Math.max(last, 0)];
 }
 
 /** Throws with one line for what is no view data at all; whatever else is missing is empty. */

@@ -28,7 +28,8 @@ export class LinkHistory {
       delayed: new Float64Array(cells), duplicated: new Float64Array(cells),
     };
     if (!this.known) return counts;
-    const last = Math.floor(t / this.links.bin_s);
+    // A time that is a whole number of bins may have come out a little less.
+    const last = Math.floor(t / this.links.bin_s + 1e-9);
     const first = last - Math.ceil(window_s / this.links.bin_s);
     const bin = (i: number): number => this.rows[i][0];
     const end = countUpTo(this.rows.length, bin, last);

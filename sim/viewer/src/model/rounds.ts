@@ -32,6 +32,9 @@ export function roundReport(model: ViewModel, t: number): RoundReport {
         before: { owner: before.winners[slot], bid: before.bids[slot] },
         after: { owner: after.winners[slot], bid: after.bids[slot] },
       });
+  // What changed hands comes before what only changed its price.
+  const moved = ({ before: held, after: holds }: PieceChange): number => (held.owner === holds.owner ? 1 : 0);
+  changes.sort((a, b) => moved(a) - moved(b) || a.slot - b.slot);
   return { round, from_s, deciders: deciders.size, changes };
 }
 

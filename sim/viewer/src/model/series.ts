@@ -23,3 +23,12 @@ export function loadSeries(model: ViewModel, times: number[]): number[][] {
 export function disputeSeries(model: ViewModel, times: number[]): number[] {
   return times.map((t) => model.disputed(t).reduce((sum, one) => sum + one, 0));
 }
+
+/** Below this the series stay nine tenths of the time: first bids, for everything, would flatten the rest. */
+export function usualMost(times: number[], series: number[][]): number {
+  const spans = times.map((t, i) => ({ most: Math.max(0, ...series.map((values) => values[i])), lasts: (times[i + 1] ?? t) - t }))
+    .filter(({ most }) => most > 0).sort((a, b) => b.most - a.most);
+  let above = spans.reduce((sum, { lasts }) => sum + lasts, 0) / 10;
+  const usual = spans.find(({ lasts }) => (above -= lasts) < 0) ?? spans[0];
+  return usual ? 1.15 * usual.most : 1;
+}

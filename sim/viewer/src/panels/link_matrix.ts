@@ -3,9 +3,12 @@
 import type { App, Part } from '../app';
 import { fitCanvas, h, panel, setText, themeColour } from '../dom';
 import type { LinkCounts } from '../model/links';
+import type { ViewModel } from '../model/view_model';
 import type { Snapshot } from '../snapshot';
 
-const MARGIN = 22;
+const MARGIN = 18;
+/** A larger one needs the panel's whole width. */
+const SMALL_FLEET = 12;
 const WINDOWS: [string, number][] = [['last 0.1 s', 0.1], ['last 0.5 s', 0.5], ['last 2 s', 2], ['since launch', Infinity]];
 
 export class LinkPanel implements Part {
@@ -13,6 +16,7 @@ export class LinkPanel implements Part {
   private readonly said = h('p', { class: 'facts', id: 'link-facts', 'aria-live': 'polite' });
   private readonly span = h('select', { 'aria-label': 'Losses of which time' },
     ...WINDOWS.map(([name, seconds]) => h('option', { value: seconds }, name)));
+  private readonly place: HTMLElement;
   private cell: [number, number] | undefined;
   private counts: LinkCounts | undefined;
   private now: Snapshot | undefined;
@@ -22,8 +26,11 @@ export class LinkPanel implements Part {
     this.canvas.addEventListener('pointermove', (event) => this.point(event));
     this.canvas.addEventListener('pointerleave', () => this.choose(undefined));
     this.canvas.addEventListener('keydown', (event) => this.key(event));
-    place.append(panel('Links', h('div', { class: 'row' }, h('span', { class: 'dim' }, 'row: from · column: to'), this.span), this.canvas, this.said));
+    this.place = h('div', { class: 'links' }, this.canvas, h('div', {}, this.span, this.said, h('p', { class: 'dim' }, 'a row: from, a column: to; the deeper a cell, the more was lost; ✕ all of it')));
+    place.append(panel('Links', this.place));
   }
+
+  show(model: ViewModel): void { this.place.classList.toggle('large', model.agents.length > SMALL_FLEET); }
 
   update(now: Snapshot): void {
     this.now = now;

@@ -4,7 +4,7 @@ import uPlot from 'uplot';
 import type { App, Part } from '../app';
 import { h, panel, setText, swatch, themeColour } from '../dom';
 import { DASHES, lookOf } from '../model/palette';
-import { loadSeries, sampleTimes } from '../model/series';
+import { loadSeries, sampleTimes, usualMost } from '../model/series';
 import type { ViewModel } from '../model/view_model';
 import type { Snapshot } from '../snapshot';
 
@@ -53,26 +53,31 @@ export class LoadPanel implements Part {
       const { metres, tasks } = loads[i];
       const look = lookOf(i, now.dark);
       const alive = now.alive(row.agent);
-      row.bar.style.width = `${(100 * metres) / most}%`;
+      row.bar.style.width = `${100 * (now.track === 'mission' ? this.partFlown(now, row.agent) : metres / most)}%`;
       row.bar.style.backgroundColor = look.css;
       row.bar.dataset.pattern = String(look.pattern);
       setText(row.value, now.track === 'mission' ? this.flown(now, row.agent) : `${tasks} · ${metres.toFixed(0)} m`);
       const state = model.fleet.stateOf(row.agent, now.t);
-      setText(row.state, alive ? state : '✕ dead');
+      setText(row.state, !alive ? '✕ dead' : now.track === 'auction' ? state : '');
       row.button.classList.toggle('dead', !alive);
       row.button.setAttribute('aria-pressed', String(now.agent === row.agent));
       row.button.title = `agent ${row.agent}: ${tasks} pieces, ${metres.toFixed(1)} m, ${alive ? state : 'dead'}`;
     });
     this.redraw(now);
-    const [from, to] = [this.times[0], this.times[this.times.length - 1]];
-    if (this.plot && to > from) this.plot.redraw(false);
+    this.plot?.redraw(false);
+  }
+
+  /** Of the mission's whole time, how much this agent has flown. */
+  private partFlown({ model, flight_s }: Snapshot, agent: number): number {
+    const end = model.mission.routeOf(agent)?.at_s.at(-1) ?? 0;
+    return Math.min(flight_s, end) / Math.max(model.mission.duration_s, 1e-9);
   }
 
   private flown(now: Snapshot, agent: number): string {
     const route = now.model.mission.routeOf(agent);
     if (!route) return 'no route';
     const end = route.at_s[route.at_s.length - 1];
-    return now.flight_s >= end ? `back ${end.toFixed(0)} s` : `${((100 * now.flight_s) / end).toFixed(0)} % of ${end.toFixed(0)} s`;
+    return now.flight_s >= end ? `back at ${end.toFixed(0)} s` : `${now.flight_s.toFixed(0)} of ${end.toFixed(0)} s`;
   }
 
   private redraw(now: Snapshot): void {
@@ -90,7 +95,8 @@ export class LoadPanel implements Part {
     const stepped = uPlot.paths.stepped!({ align: 1 });
     return {
       width: Math.max(this.chartPlace.clientWidth, 100), height: 110, padding: [8, 6, 0, 0],
-      legend: { show: false }, cursor: { show: false }, scales: { x: { time: false } },
+      legend: { show: false }, cursor: { show: false },
+      scales: { x: { time: false }, y: { range: [0, usualMost(this.times, this.series)] } },
       axes: [{ ...axis, size: 18, gap: 2, values: (_, ticks) => ticks.map((tick) => `${tick} s`) }, { ...axis, size: 38, gap: 3, values: (_, ticks) => ticks.map((tick) => `${tick} m`) }],
       series: [{}, ...this.items.map((row, i) => {
         const look = lookOf(i, now.dark);

@@ -29,8 +29,9 @@ export class RoundPanel implements Part {
     const report = roundReport(now.model, now.t);
     const { length } = report.changes;
     setText(this.head, report.deciders === 0 ? 'Nobody has bid yet.'
-      : `Round ${report.round} since ${report.from_s.toFixed(3)} s: ${report.deciders} decided, ${length} ${length === 1 ? 'piece' : 'pieces'} changed`
-        + (length > MOST_ROWS ? `, the first ${MOST_ROWS} here` : ''));
+      : `Round ${report.round}: ${report.deciders} decided, ${length} ${length === 1 ? 'piece' : 'pieces'} changed`
+        + (length > MOST_ROWS ? ` (${MOST_ROWS} shown)` : ''));
+    this.head.title = `since ${report.from_s.toFixed(6)} s`;
     this.body.replaceChildren(...report.changes.slice(0, MOST_ROWS).map((change) => this.row(now, change)));
   }
 

@@ -4,11 +4,12 @@ import * as THREE from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 
 /** The way the box is longer goes across the picture; seen from a little aside and above. */
-const ASIDE = 0.5, ABOVE = 0.42;
+const ASIDE = -0.45, ABOVE = 0.42;
 
 export class OrbitCamera {
   readonly camera = new THREE.PerspectiveCamera(38, 1, 0.1, 10000);
   private readonly controls: OrbitControls;
+  private outline: THREE.Vector3[] = [];
   private bounds = new THREE.Box3();
 
   constructor(canvas: HTMLElement, moved: () => void) {
@@ -18,9 +19,10 @@ export class OrbitCamera {
     this.controls.addEventListener('change', moved);
   }
 
-  setBounds(bounds: THREE.Box3): void {
-    this.bounds = bounds;
-    const size = bounds.getSize(new THREE.Vector3()).length();
+  setOutline(outline: THREE.Vector3[]): void {
+    this.outline = outline;
+    this.bounds.setFromPoints(outline);
+    const size = this.bounds.getSize(new THREE.Vector3()).length();
     this.camera.near = size / 2000;
     this.camera.far = size * 20;
     this.controls.minDistance = size / 200;
@@ -38,14 +40,26 @@ export class OrbitCamera {
     const azimuth = across - Math.PI / 2 + ASIDE;
     const away = new THREE.Vector3(Math.cos(azimuth) * Math.cos(ABOVE), Math.sin(azimuth) * Math.cos(ABOVE), Math.sin(ABOVE));
     const centre = this.bounds.getCenter(new THREE.Vector3());
-    let near = size.length() / 100, far = size.length() * 8;
-    for (let i = 0; i < 30; i++) {
+    // Each fit shows how far off the middle the picture is; what is moved then needs a new fit.
+    for (let i = 0; i < 4; i++) {
+      this.standBack(centre, away, size.length());
+      this.moveToMiddle(centre);
+    }
+    this.standBack(centre, away, size.length());
+    this.controls.update();
+  }
+
+  /** As near as all can be seen. */
+  private standBack(centre: THREE.Vector3, away: THREE.Vector3, size: number): void {
+    let near = size / 100, far = size * 8;
+    for (let i = 0; i < 24; i++) {
       const middle = (near + far) / 2;
       this.stand(centre, away, middle);
-      if (this.holdsAll()) far = middle; else near = middle;
+      const { min, max } = this.extent();
+      const holds = max.z <= 1 && Math.max(-min.x, max.x) <= 0.92 && Math.max(-min.y, max.y) <= 0.84;
+      if (holds) far = middle; else near = middle;
     }
     this.stand(centre, away, far);
-    this.controls.update();
   }
 
   private stand(centre: THREE.Vector3, away: THREE.Vector3, distance: number): void {
@@ -55,14 +69,23 @@ export class OrbitCamera {
     this.camera.updateMatrixWorld();
   }
 
-  private holdsAll(): boolean {
-    const corner = new THREE.Vector3();
-    const { min, max } = this.bounds;
-    for (const x of [min.x, max.x]) for (const y of [min.y, max.y]) for (const z of [min.z, max.z]) {
-      corner.set(x, y, z).project(this.camera);
-      if (Math.abs(corner.x) > 0.93 || Math.abs(corner.y) > 0.9 || corner.z > 1) return false;
+  /** Of the outline in the picture, which reaches from -1 to 1. */
+  private extent(): THREE.Box3 {
+    const box = new THREE.Box3(), at = new THREE.Vector3();
+    for (const place of this.outline) {
+      at.copy(place).applyMatrix4(this.camera.matrixWorldInverse);
+      const behind = at.z > -this.camera.near;
+      at.applyMatrix4(this.camera.projectionMatrix);
+      if (behind) at.z = Infinity;
+      box.expandByPoint(at);
     }
-    return true;
+    return box;
+  }
+
+  private moveToMiddle(centre: THREE.Vector3): void {
+    const off = this.extent().getCenter(new THREE.Vector3());
+    const depth = centre.clone().project(this.camera).z;
+    centre.copy(new THREE.Vector3(off.x, off.y, depth).unproject(this.camera));
   }
 
   /** By key: angles in radians, nearer by a factor. */

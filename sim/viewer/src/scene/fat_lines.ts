@@ -28,7 +28,7 @@ export class FatLines {
     strokes.forEach((stroke, i) => this.lay(stroke, this.firsts[i], along, time));
     const geometry = new THREE.InstancedBufferGeometry();
     geometry.setAttribute('position', new THREE.Float32BufferAttribute(corners, 3));
-    geometry.setIndex([0, 1, 2, 2, 1, 3]);
+    geometry.setIndex([0, 1, 2, 0, 2, 3]);
     const instanced = (name: string, values: Float32Array, size: number): THREE.InstancedBufferAttribute => {
       const attribute = new THREE.InstancedBufferAttribute(values, size);
       geometry.setAttribute(name, attribute);

@@ -49,7 +49,7 @@ export class SceneView {
     const drones = new Drones(model.agents.length);
     this.content = { structure, pieces, routes, drones, picker: new Picker(pieces) };
     this.scene.add(structure.group, pieces.mesh, routes.mesh, drones.group);
-    this.camera.setBounds(structure.bounds);
+    this.camera.setOutline(structure.outline);
     this.setTheme(dark);
     this.resize();
     if (!keep) this.camera.fit();
@@ -116,7 +116,7 @@ export class SceneView {
       this.painted[slot] = key;
       const look = nobody ? nobodysLook(now.dark) : lookOf(this.model!.agentSlot(owner), now.dark);
       // While drones fly, what they have flown stands out.
-      const fade = faint ? 0.78 : now.track === 'mission' ? 0.55 : 0;
+      const fade = faint ? 0.78 : now.track === 'mission' && !chosen ? 0.55 : 0;
       const usual = now.track === 'mission' ? 0.75 : nobody ? 0.6 : 1;
       pieces.paint(slot, {
         rgb: mixed(look.rgb, background, fade), pattern: look.pattern, hatched, width: chosen ? 2.4 : pointed ? 1.7 : usual,

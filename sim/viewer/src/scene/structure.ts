@@ -10,28 +10,32 @@ export const tonesOf = (dark: boolean): Tones => dark
   ? { background: '#11151a', low: '#2c343d', high: '#77838f', grid: '#1d242b' }
   : { background: '#f3f4f5', low: '#8f979f', high: '#c3c9cf', grid: '#e3e6e8' };
 
-/** Of the structure, or of the arcs where there is none, and of the homes. */
-export function boundsOf(data: RunData, points: Float32Array): THREE.Box3 {
-  const box = new THREE.Box3();
-  const at = new THREE.Vector3();
-  for (let i = 0; i + 2 < points.length; i += 3) box.expandByPoint(at.set(points[i], points[i + 1], points[i + 2]));
+/** As many of the structure's points as the view needs to be fitted to. */
+const OUTLINE = 2000;
+
+/** Places that the view is to hold: of the structure, the arcs and the homes. */
+function outlineOf(data: RunData, points: Float32Array): THREE.Vector3[] {
+  const stride = 3 * Math.max(1, Math.floor(points.length / 3 / OUTLINE));
+  const outline: THREE.Vector3[] = [];
+  for (let i = 0; i + 2 < points.length; i += stride) outline.push(new THREE.Vector3().fromArray(points, i));
   for (const { line } of [...data.arcs, ...data.tasks])
-    for (let i = 0; i + 2 < line.length; i += 3) box.expandByPoint(at.set(line[i], line[i + 1], line[i + 2]));
-  for (const { home } of data.agents) box.expandByPoint(at.set(home[0], home[1], home[2]));
-  if (box.isEmpty()) box.set(new THREE.Vector3(-10, -10, 0), new THREE.Vector3(10, 10, 10));
-  return box;
+    for (let i = 0; i + 2 < line.length; i += 3) outline.push(new THREE.Vector3().fromArray(line, i));
+  for (const { home } of data.agents) outline.push(new THREE.Vector3().fromArray(home));
+  return outline.length > 0 ? outline : [new THREE.Vector3(-10, -10, 0), new THREE.Vector3(10, 10, 10)];
 }
 
 export class Structure {
   readonly group = new THREE.Group();
   readonly points: Float32Array;
+  readonly outline: THREE.Vector3[];
   readonly bounds: THREE.Box3;
   private solid: THREE.Points | THREE.Mesh | undefined;
   private grid: THREE.LineSegments | undefined;
 
   constructor(private readonly data: RunData) {
     this.points = floatsOf(data.structure.points);
-    this.bounds = boundsOf(data, this.points);
+    this.outline = outlineOf(data, this.points);
+    this.bounds = new THREE.Box3().setFromPoints(this.outline);
   }
 
   setTheme(dark: boolean): void {
@@ -68,7 +72,7 @@ export class Structure {
   /** About as large as points lie apart. */
   private grain(): number {
     const size = this.bounds.getSize(new THREE.Vector3());
-    return 0.4 * Math.sqrt((size.x * Math.max(size.y, size.z) * 2) / Math.max(this.points.length / 3, 1));
+    return 0.5 * Math.sqrt((size.x * Math.max(size.y, size.z) * 2) / Math.max(this.points.length / 3, 1));
   }
 
   private makeGrid(tones: Tones): THREE.LineSegments {

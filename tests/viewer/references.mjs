@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pictures held against those that were looked at. `--update` takes what is drawn now for the references.
+import assert from 'node:assert/strict';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { load } from './modules.mjs';
+
+const folder = join(dirname(fileURLToPath(import.meta.url)), 'references');
+const update = process.env.ARCBID_UPDATE_REFERENCES === '1';
+/** Rasterisers round edges differently: of all pixels this share may be another colour. */
+const TOLERANCE = 0.015;
+
+export async function compare(name, png) {
+  const file = join(folder, `${name}.png`);
+  if (update) { writeFileSync(file, png); return; }
+  const { PNG } = await load('pngjs');
+  const pixelmatch = await load('pixelmatch');
+  const drawn = PNG.sync.read(png), wanted = PNG.sync.read(readFileSync(file));
+  assert.deepEqual([drawn.width, drawn.height], [wanted.width, wanted.height], `${name}: another size`);
+  const different = pixelmatch(drawn.data, wanted.data, undefined, drawn.width, drawn.height, { threshold: 0.15 });
+  const share = different / (drawn.width * drawn.height);
+  assert.ok(share <= TOLERANCE, `${name}: ${(100 * share).toFixed(2)} % of the picture differ, ${100 * TOLERANCE} % may`);
+}
