@@ -63,7 +63,8 @@ export class Timeline implements Part {
     setText(this.real, clock.fallsBehind ? `really ${rateText(clock.realRate)}` : '');
     const { model } = now;
     const disputes = `round ${model.fleet.roundAt(now.t)} · ${now.disputes} disputed`;
-    this.tracks.auction.update(clock.now.auction, clock.track === 'auction', clock.track === 'auction' ? disputes : '');
+    // While drones fly, what they were given is the auction's last word.
+    this.tracks.auction.update(now.t, clock.track === 'auction', clock.track === 'auction' ? disputes : '');
     const flying = model.agents.filter((agent) => model.mission.placeOf(agent, clock.now.mission).flying).length;
     this.tracks.mission.update(clock.now.mission, clock.track === 'mission', model.mission.known ? `${flying} flying` : 'no routes yet');
   }

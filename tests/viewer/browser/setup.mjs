@@ -9,7 +9,7 @@ import { embed, fixture } from '../fixture.mjs';
 
 export const bare = readFileSync(process.env.ARCBID_VIEWER_PAGE, 'utf8');
 /** The stage is then 640 by 400: the size of the references. */
-export const SMALL = { width: 640 + 372, height: 400 + 89 };
+export const SMALL = { width: 640 + 372, height: 400 + 96 };
 
 let browser, folder;
 

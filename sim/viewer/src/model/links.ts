@@ -20,6 +20,9 @@ export class LinkHistory {
 
   get known(): boolean { return this.rows.length > 0 && this.links.bin_s > 0; }
 
+  /** A time that is a whole number of bins may have come out a little less. */
+  binAt(t: number): number { return this.known ? Math.floor(t / this.links.bin_s + 1e-9) : 0; }
+
   /** Cell [from * size + to] of what went in the `window_s` seconds before `t` (whole bins). */
   at(t: number, window_s: number): LinkCounts {
     const cells = this.size * this.size;
@@ -28,8 +31,7 @@ export class LinkHistory {
       delayed: new Float64Array(cells), duplicated: new Float64Array(cells),
     };
     if (!this.known) return counts;
-    // A time that is a whole number of bins may have come out a little less.
-    const last = Math.floor(t / this.links.bin_s + 1e-9);
+    const last = this.binAt(t);
     const first = last - Math.ceil(window_s / this.links.bin_s);
     const bin = (i: number): number => this.rows[i][0];
     const end = countUpTo(this.rows.length, bin, last);

@@ -11,12 +11,20 @@ const MARGIN = 18;
 const SMALL_FLEET = 12;
 const WINDOWS: [string, number][] = [['last 0.1 s', 0.1], ['last 0.5 s', 0.5], ['last 2 s', 2], ['since launch', Infinity]];
 
+type Inks = Record<'dim' | 'cell' | 'loss' | 'paper' | 'accent', string>;
+
+/** Asked once a drawing: there are thousands of cells. */
+const inksNow = (): Inks => ({
+  dim: themeColour('--dim'), cell: themeColour('--cell'), loss: themeColour('--loss'), paper: themeColour('--paper'), accent: themeColour('--accent'),
+});
+
 export class LinkPanel implements Part {
   private readonly canvas = h('canvas', { class: 'matrix', tabindex: 0, role: 'img', 'aria-label': 'Link matrix' });
   private readonly said = h('p', { class: 'facts', id: 'link-facts', 'aria-live': 'polite' });
   private readonly span = h('select', { 'aria-label': 'Losses of which time' },
     ...WINDOWS.map(([name, seconds]) => h('option', { value: seconds }, name)));
   private readonly place: HTMLElement;
+  private drawn = '';
   private cell: [number, number] | undefined;
   private counts: LinkCounts | undefined;
   private now: Snapshot | undefined;
@@ -30,11 +38,18 @@ export class LinkPanel implements Part {
     place.append(panel('Links', this.place));
   }
 
-  show(model: ViewModel): void { this.place.classList.toggle('large', model.agents.length > SMALL_FLEET); }
+  show(model: ViewModel): void {
+    this.drawn = '';
+    this.place.classList.toggle('large', model.agents.length > SMALL_FLEET);
+  }
 
   update(now: Snapshot): void {
     this.now = now;
-    this.counts = now.model.links.at(now.t, Number(this.span.value));
+    const { links } = now.model;
+    const key = `${links.binAt(now.t)} ${this.span.value} ${now.dark} ${this.canvas.clientWidth}`;
+    if (key === this.drawn) return;
+    this.drawn = key;
+    this.counts = links.at(now.t, Number(this.span.value));
     this.draw();
   }
 
@@ -43,18 +58,19 @@ export class LinkPanel implements Part {
     if (!context || !this.now || !this.counts) return;
     const { agents } = this.now.model;
     const step = this.step();
+    const inks = inksNow();
     context.clearRect(0, 0, this.canvas.clientWidth, this.canvas.clientHeight);
     context.font = `${Math.min(10, step)}px system-ui, sans-serif`;
     context.textAlign = 'center';
     context.textBaseline = 'middle';
-    context.fillStyle = themeColour('--dim');
+    context.fillStyle = inks.dim;
     const every = Math.ceil(14 / step);
     agents.forEach((agent, i) => {
       if (i % every !== 0) return;
       context.fillText(String(agent), MARGIN + (i + 0.5) * step, MARGIN / 2);
       context.fillText(String(agent), MARGIN / 2, MARGIN + (i + 0.5) * step);
     });
-    for (let from = 0; from < agents.length; from++) for (let to = 0; to < agents.length; to++) this.drawCell(context, from, to, step);
+    for (let from = 0; from < agents.length; from++) for (let to = 0; to < agents.length; to++) this.drawCell(context, inks, from, to, step);
     this.say();
   }
 
@@ -62,32 +78,32 @@ export class LinkPanel implements Part {
     return (Math.min(this.canvas.clientWidth, this.canvas.clientHeight) - MARGIN) / Math.max(this.now?.model.agents.length ?? 1, 1);
   }
 
-  private drawCell(context: CanvasRenderingContext2D, from: number, to: number, step: number): void {
+  private drawCell(context: CanvasRenderingContext2D, inks: Inks, from: number, to: number, step: number): void {
     const size = this.now!.model.agents.length;
     const sent = this.counts!.sent[from * size + to], lost = this.counts!.lost[from * size + to];
     const x = MARGIN + to * step, y = MARGIN + from * step, gap = step > 6 ? 1 : 0;
-    context.fillStyle = themeColour('--cell');
+    context.fillStyle = inks.cell;
     if (from !== to) context.fillRect(x, y, step - gap, step - gap);
     if (sent > 0 && from !== to) {
       const share = lost / sent;
       // Lightness alone tells the share; what is cut altogether is crossed out as well.
-      context.fillStyle = themeColour('--loss');
+      context.fillStyle = inks.loss;
       context.globalAlpha = lost > 0 ? 0.15 + 0.85 * share : 0;
       context.fillRect(x, y, step - gap, step - gap);
       context.globalAlpha = 1;
-      context.fillStyle = themeColour('--dim');
+      context.fillStyle = inks.dim;
       if (lost === 0) context.fillRect(x + step / 2 - 1, y + step / 2 - 1, 2, 2);
-      if (share === 1) this.cross(context, x, y, step - gap);
+      if (share === 1) this.cross(context, inks.paper, x, y, step - gap);
     }
     if (this.cell?.[0] === from && this.cell[1] === to) {
-      context.strokeStyle = themeColour('--accent');
+      context.strokeStyle = inks.accent;
       context.lineWidth = 2;
       context.strokeRect(x, y, step - gap, step - gap);
     }
   }
 
-  private cross(context: CanvasRenderingContext2D, x: number, y: number, size: number): void {
-    context.strokeStyle = themeColour('--paper');
+  private cross(context: CanvasRenderingContext2D, ink: string, x: number, y: number, size: number): void {
+    context.strokeStyle = ink;
     context.lineWidth = Math.max(size / 10, 0.75);
     const inset = size * 0.28;
     context.beginPath();

@@ -79,6 +79,6 @@ export class PiecePanel implements Part {
     });
     newest?.classList.add('newest');
     this.story.replaceChildren(...(lines.length > 0 ? lines : [h('li', { class: 'ahead' }, 'Nothing was recorded about this piece.')]));
-    if (newest) this.story.scrollTop = newest.offsetTop - this.story.offsetTop - 24;
+    if (newest) this.story.scrollTop = newest.offsetTop - 24;
   }
 }

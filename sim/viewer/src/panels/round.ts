@@ -13,11 +13,13 @@ const MOST_ROWS = 100;
 export class RoundPanel implements Part {
   private readonly head = h('p', { class: 'facts', id: 'round-facts' });
   private readonly body = h('tbody');
+  private readonly table = h('div', { class: 'scroll' });
   private drawn = '';
 
   constructor(private readonly app: App, place: HTMLElement) {
     const names = h('tr', {}, ...['piece', 'held', 'now', 'bid'].map((name) => h('th', { scope: 'col' }, name)));
-    place.append(panel('Bids and winners', this.head, h('div', { class: 'scroll' }, h('table', {}, h('thead', {}, names), this.body))));
+    place.append(panel('Bids and winners', this.head, this.table));
+    this.table.append(h('table', {}, h('thead', {}, names), this.body));
   }
 
   show(): void { this.drawn = ''; }
@@ -32,6 +34,7 @@ export class RoundPanel implements Part {
       : `Round ${report.round}: ${report.deciders} decided, ${length} ${length === 1 ? 'piece' : 'pieces'} changed`
         + (length > MOST_ROWS ? ` (${MOST_ROWS} shown)` : ''));
     this.head.title = `since ${report.from_s.toFixed(6)} s`;
+    this.table.hidden = length === 0;
     this.body.replaceChildren(...report.changes.slice(0, MOST_ROWS).map((change) => this.row(now, change)));
   }
 

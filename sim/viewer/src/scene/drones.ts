@@ -4,10 +4,10 @@ import * as THREE from 'three';
 import { mergeGeometries } from 'three/examples/jsm/utils/BufferGeometryUtils.js';
 
 function quadcopter(): THREE.BufferGeometry {
-  const parts: THREE.BufferGeometry[] = [new THREE.SphereGeometry(0.3, 12, 8).scale(1, 1, 0.6)];
-  for (const angle of [Math.PI / 4, -Math.PI / 4]) parts.push(new THREE.BoxGeometry(2, 0.14, 0.12).rotateZ(angle));
+  const parts: THREE.BufferGeometry[] = [new THREE.SphereGeometry(0.42, 12, 8).scale(1, 1, 0.7)];
+  for (const angle of [Math.PI / 4, -Math.PI / 4]) parts.push(new THREE.BoxGeometry(2, 0.22, 0.2).rotateZ(angle));
   for (const x of [-0.72, 0.72]) for (const y of [-0.72, 0.72])
-    parts.push(new THREE.CylinderGeometry(0.42, 0.42, 0.08, 16).rotateX(Math.PI / 2).translate(x, y, 0.12));
+    parts.push(new THREE.CylinderGeometry(0.46, 0.46, 0.14, 16).rotateX(Math.PI / 2).translate(x, y, 0.18));
   return mergeGeometries(parts)!;
 }
 
@@ -22,7 +22,8 @@ export class Drones {
   private drones: Drone[] = [];
 
   constructor(count: number) {
-    const body = new THREE.MeshLambertMaterial();
+    // In front of the line it flies along.
+    const body = new THREE.MeshLambertMaterial({ polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -4000 });
     this.bodies = new THREE.InstancedMesh(quadcopter(), body, count);
     this.pads = new THREE.InstancedMesh(new THREE.RingGeometry(0.9, 1.25, 32), new THREE.MeshBasicMaterial({ side: THREE.DoubleSide }), count);
     for (const mesh of [this.bodies, this.pads]) {
@@ -51,7 +52,7 @@ export class Drones {
       mesh.setMatrixAt(i, matrix.compose(at, level, scale.setScalar(size)));
     };
     this.drones.forEach(({ position, home, alive }, i) => {
-      put(this.bodies, i, position, alive ? 12 : 8);
+      put(this.bodies, i, position, alive ? 14 : 8);
       put(this.pads, i, home, 8);
     });
     this.bodies.instanceMatrix.needsUpdate = this.pads.instanceMatrix.needsUpdate = true;
