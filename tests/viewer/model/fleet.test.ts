@@ -43,12 +43,12 @@ test('deaths are taken from events where there are no states', () => {
 
 test('disputed is what two claim, or of which two believe different things', () => {
   const views = [
-    { agent: 1, changes: [{ t_s: 1, round: 1, z: [10, 1, -5, 11, 1, -6] }, { t_s: 4, round: 2, z: [11, 2, -3] }] },
-    { agent: 2, changes: [{ t_s: 2, round: 1, z: [10, 1, -5, 11, 2, -3] }] },
+    { agent: 1, changes: [{ t_s: 1, round: 1, z: [10, 1, -5, 11, 1, -6] }, { t_s: 4, round: 2, z: [11, 2, -3, 12, 3, -9] }] },
+    { agent: 2, changes: [{ t_s: 2, round: 1, z: [10, 1, -5, 11, 2, -3, 12, 3, -9] }] },
   ];
   const model = run({ views, decisions: [decision(1, 1, [10, -5, 11, -6]), decision(2, 2, [11, -3]), decision(4, 1, [10, -5], 2)] });
   assert.deepEqual([...model.disputed(1)], [0, 0, 0], 'one agent alone is at one with itself');
-  assert.deepEqual([...model.disputed(3)], [0, 1, 0]);
+  assert.deepEqual([...model.disputed(3)], [0, 1, 1], 'of piece 12 only the beliefs differ');
   assert.deepEqual([...model.disputed(4)], [0, 0, 0]);
 });
 

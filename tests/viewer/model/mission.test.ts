@@ -36,6 +36,7 @@ test('links count whole bins up to the moment, for as long as is asked', () => {
   const at = (t: number, window: number): number[][] => { const { sent, lost } = links.at(t, window); return [[...sent], [...lost]]; };
   assert.deepEqual(at(0.07, 0.05), [[0, 2, 3, 0], [0, 2, 0, 0]]);
   assert.deepEqual(at(0.07, 0.1), [[0, 6, 3, 0], [0, 3, 0, 0]]);
+  assert.deepEqual(at(0.07, 0.06), at(0.07, 0.1));
   assert.deepEqual(at(9, Infinity), [[0, 14, 3, 0], [0, 11, 0, 0]]);
   assert.deepEqual(at(0.15 - 1e-12, 0.05)[0], [0, 0, 0, 0], 'a bin is the one that a rounded time means');
   assert.deepEqual([...links.at(0.07, 0.05).delayed, ...links.at(0.07, 0.05).duplicated], [0, 1, 0, 0, 0, 0, 1, 0]);
