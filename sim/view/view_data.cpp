@@ -137,7 +137,8 @@ json summary_of(const RunArchive& run) {
     row("makespan", fmt::format("{:.1f} s", r.value("makespan_s", 0.0)));
   if (r.contains("total_length_m"))
     row("total length", fmt::format("{:.1f} m", r.value("total_length_m", 0.0)));
-  for (const auto& [check, holds] : r.value("checks", json::object()).items())
+  const json checks = r.value("checks", json::object());
+  for (const auto& [check, holds] : checks.items())
     row(check.c_str(), holds == true ? "yes" : "no");
   return out;
 }
