@@ -16,6 +16,7 @@
 #include "sim/world/live_run.hpp"
 #include "sim/world/settings_file.hpp"
 #include "sim/world/shrink.hpp"
+#include "sim/world/world_log.hpp"
 
 namespace arcbid {
 namespace {
@@ -56,7 +57,7 @@ E by_name(const std::array<std::string_view, n>& names, const std::string& name)
 }  // namespace
 
 struct SimCommand::Arguments {
-  std::string config, run, seeds = "1..1000", json, policy, score, faults;
+  std::string config, run, seeds = "1..1000", json, policy, score, faults, record;
   std::optional<double> loss;
   std::optional<std::uint32_t> agents, tasks;
   unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
@@ -151,6 +152,8 @@ SimCommand::SimCommand(CLI::App& app) : arguments_(std::make_unique<Arguments>()
       ->check(CLI::Range(0.0, 1.0));
   sim->add_option("--export-faults", a.faults,
                   "write the world's fault schedule to this file, for arcbid run --faults");
+  sim->add_option("--record", a.record,
+                  "leave the world on record in this directory, for replay and view (one world)");
   sim->add_flag("--trace", a.trace, "print everything that happens (one world)");
   command_ = sim;
 }
@@ -196,21 +199,29 @@ Exit SimCommand::run_shrink() const {
   return Exit::check_failed;
 }
 
+Exit SimCommand::run_one(const WorldSpec& spec) const {
+  const Arguments& a = *arguments_;
+  std::optional<WorldLog> log;
+  if (!a.record.empty()) log.emplace(spec, a.record);
+  fmt::print("{}\n", summary(spec));
+  const Trace trace = [](const std::string& line) { fmt::print("{}\n", line); };
+  const WorldResult result = run_world(spec, a.trace ? trace : Trace(), log ? &*log : nullptr);
+  if (log) log->write_result(result);
+  if (!a.trace)
+    fmt::print("{}, {} steps, makespan {:.1f} s: {}\n", result.agreed ? "agreed" : "not agreed",
+               result.steps, result.makespan_s, a.record);
+  return result.violations.empty() ? Exit::done : Exit::check_failed;
+}
+
 Exit SimCommand::run() const {
   if (shrink_->parsed()) return run_shrink();
   const Arguments& a = *arguments_;
   const Seeds seeds = seeds_of(a.seeds);
-  if ((a.trace || !a.faults.empty()) && seeds.first != seeds.last)
-    throw InputError("--trace and --export-faults: are for one seed");
+  if ((a.trace || !a.faults.empty() || !a.record.empty()) && seeds.first != seeds.last)
+    throw InputError("--trace, --record and --export-faults: are for one seed");
   const Worlds worlds = a.worlds();
   write_faults(worlds.make(seeds.first));
-  if (a.trace) {
-    const WorldSpec spec = worlds.make(seeds.first);
-    fmt::print("{}\n", summary(spec));
-    const WorldResult result =
-        run_world(spec, [](const std::string& line) { fmt::print("{}\n", line); });
-    return result.violations.empty() ? Exit::done : Exit::check_failed;
-  }
+  if (a.trace || !a.record.empty()) return run_one(worlds.make(seeds.first));
   SimSummary figures;
   const TimeNs start_ns = monotonic_ns();
   const bool terminal = isatty(STDERR_FILENO) != 0;

@@ -22,6 +22,7 @@ class SimCommand {
   struct Arguments;
   std::unique_ptr<Arguments> arguments_;
   Exit run_shrink() const;
+  Exit run_one(const WorldSpec& spec) const;
   void write_faults(const WorldSpec& spec) const;
 
   const CLI::App* command_;

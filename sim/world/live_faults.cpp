@@ -35,8 +35,8 @@ class History {
     }
     add(AgentFaultKind::late, 0, std::max<TimeNs>(lives_.front().born_ns, 1));
     for (std::size_t n = 0; n < lives_.size(); ++n) {
-      const auto next_ns = n + 1 < lives_.size() ? std::optional(lives_[n + 1].born_ns)
-                                                 : std::optional<TimeNs>();
+      const auto next_ns =
+          n + 1 < lives_.size() ? std::optional(lives_[n + 1].born_ns) : std::optional<TimeNs>();
       const auto died_ns = death_ns(lives_[n], next_ns);
       add_pauses(lives_[n], died_ns.value_or(INT64_MAX));
       add_malformed(lives_[n], died_ns.value_or(INT64_MAX));

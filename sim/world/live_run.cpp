@@ -140,7 +140,8 @@ LiveRun read_run(const Path& directory) {
   LifeReader reader(run, result);
   for (const Path& file : agents_logs(directory)) reader.read(file);
   if (run.lives.empty())
-    throw InputError(fmt::format("{}: no agent's log has the mission", (directory / "logs").string()));
+    throw InputError(
+        fmt::format("{}: no agent's log has the mission", (directory / "logs").string()));
   check_published(directory, run.mission);
   std::stable_sort(run.lives.begin(), run.lives.end(),
                    [](const LiveLife& a, const LiveLife& b) { return a.born_ns < b.born_ns; });
@@ -153,10 +154,8 @@ LiveRun read_run(const Path& directory) {
 
 WorldSpec world_of(const LiveRun& run, std::uint64_t seed) {
   constexpr Range<TimeNs> on_loopback_ns{100'000, 5'000'000};
-  return {.seed = seed,
-          .mission = run.mission,
-          .faults = faults_of(run),
-          .latency_ns = on_loopback_ns};
+  return {
+      .seed = seed, .mission = run.mission, .faults = faults_of(run), .latency_ns = on_loopback_ns};
 }
 
 }  // namespace arcbid

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/auction/agent.hpp"
 #include "sim/world/checkers/step.hpp"
 #include "sim/world/spec.hpp"
 
@@ -31,10 +32,22 @@ struct WorldResult {
 /// A line for everything that happens: `--trace`.
 using Trace = std::function<void(const std::string&)>;
 
+/// Hears all that the cores of a world consume and produce, in order. `life`: births, counted.
+class WorldObserver {
+ public:
+  virtual ~WorldObserver() = default;
+  /// `clock_ns`: what the agent's own clock shows.
+  virtual void born(std::uint32_t life, AgentId agent, std::uint64_t incarnation, TimeNs now_ns,
+                    TimeNs clock_ns) = 0;
+  virtual void stepped(std::uint32_t life, TimeNs now_ns, const Event& event,
+                       const Update& update) = 0;
+};
+
 /// Runs the world until all living agents hold a proof of one and the same agreement and nothing is
 /// to come, or until the bound has passed, or it has taken more steps than any sound world. Two
 /// phases: faults on, whatever they do; then calm, and agreement within the bound
 /// (docs/SIMULATOR.md). Throws nothing; violations are in the result.
-WorldResult run_world(const WorldSpec& spec, const Trace& trace = {});
+WorldResult run_world(const WorldSpec& spec, const Trace& trace = {},
+                      WorldObserver* observer = nullptr);
 
 }  // namespace arcbid

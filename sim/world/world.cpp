@@ -23,9 +23,10 @@ bool is_old_news(const Event& event, const View& view, const std::vector<Stateme
 
 }  // namespace
 
-World::World(const WorldSpec& spec, const Trace& trace)
+World::World(const WorldSpec& spec, const Trace& trace, WorldObserver* observer)
     : spec_(spec),
       trace_(trace),
+      observer_(observer),
       mission_(std::make_shared<const Mission>(spec.mission)),
       transit_(std::make_shared<StraightTransit>()),
       pieces_(cut(spec.mission)),
@@ -120,6 +121,7 @@ void World::hear(Life& life, const Delivery& delivery) {
   const auto before =
       delivery.is_malformed ? keys_of_others(view, life.agent) : std::vector<StatementKey>{};
   Update update = life.core->step(*delivery.event);
+  if (observer_) observer_->stepped(life.number, now_ns_, *delivery.event, update);
   check_refusal(life, delivery, update, before);
   carry_out(life, update);
 }
@@ -142,6 +144,7 @@ void World::check_refusal(const Life& life, const Delivery& delivery, const Upda
 
 void World::step(Life& life, const Event& event) {
   Update update = life.core->step(event);
+  if (observer_) observer_->stepped(life.number, now_ns_, event, update);
   carry_out(life, update);
 }
 
@@ -200,8 +203,8 @@ void World::remember(const Life& life, const Update& update) {
           update.agreed->members.size());
 }
 
-WorldResult run_world(const WorldSpec& spec, const Trace& trace) {
-  return World(spec, trace).run();
+WorldResult run_world(const WorldSpec& spec, const Trace& trace, WorldObserver* observer) {
+  return World(spec, trace, observer).run();
 }
 
 }  // namespace arcbid

@@ -19,7 +19,7 @@ namespace arcbid {
 /// One world while it runs. Everything in it happens in virtual time and in one order.
 class World {
  public:
-  World(const WorldSpec& spec, const Trace& trace);
+  World(const WorldSpec& spec, const Trace& trace, WorldObserver* observer);
 
   WorldResult run();
 
@@ -91,6 +91,7 @@ class World {
 
   const WorldSpec& spec_;
   const Trace& trace_;
+  WorldObserver* const observer_;  // null: nobody
   std::shared_ptr<const Mission> mission_;
   std::shared_ptr<const Transit> transit_;
   std::vector<Stretch> pieces_;

@@ -48,6 +48,7 @@ void World::start(std::size_t agent, bool is_twin) {
   life.agent = agent;
   life.number = births_++;
   life.core = std::make_unique<Agent>(id, incarnation, mission_, transit_, clock);
+  if (observer_) observer_->born(life.number, id, incarnation, now_ns_, clock);
   life.wake_ns = now_ns_;
   life.is_twin = is_twin;
   trace("agent {} starts{}, life {}", id.value, is_twin ? " a second time" : "", incarnation);

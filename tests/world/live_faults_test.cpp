@@ -39,9 +39,8 @@ LiveRun quiet() {
 }
 
 TEST(LiveFaults, LetAgentsBeBornWhenTheyWere) {
-  EXPECT_THAT(faults_of(quiet()).agents,
-              UnorderedElementsAre(fault(1, Kind::late, 0, second),
-                                   fault(2, Kind::late, 0, second + 1)));
+  EXPECT_THAT(faults_of(quiet()).agents, UnorderedElementsAre(fault(1, Kind::late, 0, second),
+                                                              fault(2, Kind::late, 0, second + 1)));
 }
 
 TEST(LiveFaults, KillAgentsWhenTheyWereKilledAndBringThemBackWhenTheyHadTheMissionAgain) {
@@ -67,17 +66,17 @@ TEST(LiveFaults, TakeTheRunsEndForNoDeath) {
   LiveRun run = quiet();
   for (LiveLife& one : run.lives) one.ended_by = "signal";
   run.lives[1].last_ns -= lease;  // nobody could miss it
-  EXPECT_THAT(faults_of(run).agents, Not(Contains(::testing::Field(&AgentFault::kind, Kind::crash))));
+  EXPECT_THAT(faults_of(run).agents,
+              Not(Contains(::testing::Field(&AgentFault::kind, Kind::crash))));
 }
 
 TEST(LiveFaults, TakeAPauseForGoodForADeath) {
   LiveRun run = quiet();
   run.acts = {{2 * second, {1}, "pause"}, {3 * second, {1}, "resume"}, {4 * second, {2}, "pause"}};
-  EXPECT_THAT(faults_of(run).agents,
-              UnorderedElementsAre(fault(1, Kind::late, 0, second),
-                                   fault(1, Kind::pause, 2 * second, second),
-                                   fault(2, Kind::late, 0, second + 1),
-                                   fault(2, Kind::crash, 4 * second, {})));
+  EXPECT_THAT(faults_of(run).agents, UnorderedElementsAre(fault(1, Kind::late, 0, second),
+                                                          fault(1, Kind::pause, 2 * second, second),
+                                                          fault(2, Kind::late, 0, second + 1),
+                                                          fault(2, Kind::crash, 4 * second, {})));
 }
 
 TEST(LiveFaults, LetWhoNeverHadTheMissionSayNothing) {
@@ -89,9 +88,10 @@ TEST(LiveFaults, LetWhoNeverHadTheMissionSayNothing) {
 TEST(LiveFaults, KeepASecondProcessApart) {
   LiveRun run = quiet();
   run.lives.push_back({{2}, 3 * second, 4 * second, "", true});
-  EXPECT_THAT(faults_of(run).agents, UnorderedElementsAre(fault(1, Kind::late, 0, second),
-                                                          fault(2, Kind::late, 0, second + 1),
-                                                          fault(2, Kind::twin, 3 * second, second)));
+  EXPECT_THAT(
+      faults_of(run).agents,
+      UnorderedElementsAre(fault(1, Kind::late, 0, second), fault(2, Kind::late, 0, second + 1),
+                           fault(2, Kind::twin, 3 * second, second)));
 }
 
 TEST(LiveFaults, SpoilMessagesInEveryLifeAndOverBidWhereAProcessEndedOfIt) {

@@ -68,8 +68,8 @@ class LiveRunTest : public ::testing::Test {
 
   Mission mission;
   std::filesystem::path run;
-  json result = {{"processes",
-                  {{{"name", "agent 1"}, {"pid", 101}}, {{"name", "agent 2"}, {"pid", 102}}}}};
+  json result = {
+      {"processes", {{{"name", "agent 1"}, {"pid", 101}}, {{"name", "agent 2"}, {"pid", 102}}}}};
 };
 
 TEST_F(LiveRunTest, GivesTheSameMissionBitForBitAndAgrees) {

@@ -41,7 +41,8 @@ TEST(Shrink, LeavesOnlyWhatTheFailureNeeds) {
   for (const WorldSpec& smaller : smaller_worlds(small)) EXPECT_FALSE(fails(smaller));
 }
 
-/// ACBBA does not survive mixed faults; what is left of such a world is small, and claims survive it.
+/// ACBBA does not survive mixed faults; what is left of such a world is small, and claims survive
+/// it.
 TEST(Shrink, FindsWhatAcbbaDoesNotSurvive) {
   WorldSettings settings = mixed();
   settings.policies = {PolicyKind::acbba};

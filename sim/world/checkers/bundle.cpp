@@ -28,7 +28,7 @@ BundleChecker::BundleChecker(const Mission& mission, Findings& findings)
       limit_(mission.auction.bundle_limit),
       findings_(findings) {}
 
-void BundleChecker::after(const Step& step) {
+void BundleChecker::after(const SeenStep& step) {
   if (!step.update.decision) return;
   std::vector<std::uint32_t> held;
   const StatementBody& body = step.update.decision->body;
@@ -38,7 +38,8 @@ void BundleChecker::after(const Step& step) {
     std::vector<Claim>& before = bundles_[step.life];
     // What is stated at the start was decided before anybody was heard.
     const bool on_the_view = !step.update.started;
-    if (policy_ == PolicyKind::claims_keep && on_the_view) check_cascade(step, before, claims->bundle);
+    if (policy_ == PolicyKind::claims_keep && on_the_view)
+      check_cascade(step, before, claims->bundle);
     before = claims->bundle;
   } else if (const auto* table = std::get_if<Table>(&body)) {
     for (std::uint32_t j = 0; j < table->beliefs.size(); ++j)
@@ -47,7 +48,7 @@ void BundleChecker::after(const Step& step) {
   check_path(step, std::move(held));
 }
 
-void BundleChecker::check_path(const Step& step, std::vector<std::uint32_t> held) const {
+void BundleChecker::check_path(const SeenStep& step, std::vector<std::uint32_t> held) const {
   std::vector<std::uint32_t> flown;
   for (const PathStop& stop : step.update.decision->path) flown.push_back(stop.task.value);
   std::sort(held.begin(), held.end());
@@ -62,14 +63,14 @@ void BundleChecker::check_path(const Step& step, std::vector<std::uint32_t> held
                   held.size(), limit_);
 }
 
-void BundleChecker::check_bids(const Step& step, const std::vector<Claim>& bundle) const {
+void BundleChecker::check_bids(const SeenStep& step, const std::vector<Claim>& bundle) const {
   for (std::size_t n = 1; warped_ && n < bundle.size(); ++n)
     if (bundle[n].bid > bundle[n - 1].bid)
       findings_.add(step.now_ns, "bundle", "agent {} bids {} for task {}, more than {} before",
                     step.agent.value, bundle[n].bid, bundle[n].task.value, bundle[n - 1].bid);
 }
 
-void BundleChecker::check_cascade(const Step& step, const std::vector<Claim>& before,
+void BundleChecker::check_cascade(const SeenStep& step, const std::vector<Claim>& before,
                                   const std::vector<Claim>& after) const {
   std::size_t kept = 0;
   while (kept < before.size() && !is_outbid(step.view, step.agent, before[kept])) ++kept;

@@ -15,12 +15,12 @@ class BundleChecker {
  public:
   BundleChecker(const Mission& mission, Findings& findings);
 
-  void after(const Step& step);
+  void after(const SeenStep& step);
 
  private:
-  void check_path(const Step& step, std::vector<std::uint32_t> held) const;
-  void check_bids(const Step& step, const std::vector<Claim>& bundle) const;
-  void check_cascade(const Step& step, const std::vector<Claim>& before,
+  void check_path(const SeenStep& step, std::vector<std::uint32_t> held) const;
+  void check_bids(const SeenStep& step, const std::vector<Claim>& bundle) const;
+  void check_cascade(const SeenStep& step, const std::vector<Claim>& before,
                      const std::vector<Claim>& after) const;
 
   PolicyKind policy_;

@@ -17,7 +17,7 @@ struct Checkers {
   Checkers(const Checkers&) = delete;
   Checkers& operator=(const Checkers&) = delete;
 
-  void after(const Step& step) {
+  void after(const SeenStep& step) {
     statements.after(step);
     bundle.after(step);
     proof.after(step);

@@ -25,7 +25,7 @@ bool says(const Statement& said, std::size_t j, const Belief& belief) {
 ProofChecker::ProofChecker(const Mission& mission, std::size_t tasks, Findings& findings)
     : tasks_(tasks), limit_(mission.auction.bundle_limit), findings_(findings) {}
 
-void ProofChecker::after(const Step& step) {
+void ProofChecker::after(const SeenStep& step) {
   if (!step.update.agreed) return;
   const Agreement& proof = *step.update.agreed;
   check_members(step, proof);
@@ -39,7 +39,7 @@ void ProofChecker::after(const Step& step) {
                   step.agent.value, proof.view_hash);
 }
 
-void ProofChecker::check_members(const Step& step, const Agreement& proof) const {
+void ProofChecker::check_members(const SeenStep& step, const Agreement& proof) const {
   std::vector<AgentId> living;
   for (std::size_t k = 0; k < step.view.roster().size(); ++k)
     if (!step.view.of(k).key.dead) living.push_back(step.view.of(k).agent);
@@ -48,7 +48,7 @@ void ProofChecker::check_members(const Step& step, const Agreement& proof) const
                   step.agent.value);
 }
 
-void ProofChecker::check_owners(const Step& step, const Agreement& proof) const {
+void ProofChecker::check_owners(const SeenStep& step, const Agreement& proof) const {
   if (proof.winners.size() != tasks_)
     findings_.add(step.now_ns, "proof", "agent {} proves {} tasks, not {}", step.agent.value,
                   proof.winners.size(), tasks_);
@@ -74,7 +74,7 @@ void ProofChecker::check_owners(const Step& step, const Agreement& proof) const 
   }
 }
 
-void ProofChecker::check_path(const Step& step, const Agreement& proof) const {
+void ProofChecker::check_path(const SeenStep& step, const Agreement& proof) const {
   std::vector<std::size_t> flown, won;
   for (const PathStop& stop : proof.path) flown.push_back(stop.task.value);
   for (std::size_t j = 0; j < proof.winners.size(); ++j)
@@ -87,7 +87,7 @@ void ProofChecker::check_path(const Step& step, const Agreement& proof) const {
 
 /// The newest statement of every owner gives it its tasks, to nobody's surprise; tables of all
 /// living members are equal. Claims of others may stand: they are outbid.
-void ProofChecker::check_statements(const Step& step, const Agreement& proof) const {
+void ProofChecker::check_statements(const SeenStep& step, const Agreement& proof) const {
   for (std::size_t k = 0; k < step.view.roster().size(); ++k) {
     const Statement& said = step.view.of(k);
     if (said.key.dead) continue;
@@ -106,7 +106,7 @@ void ProofChecker::check_statements(const Step& step, const Agreement& proof) co
   }
 }
 
-void StabilityChecker::after(const Step& step) {
+void StabilityChecker::after(const SeenStep& step) {
   const bool news = step.update.decision && step.update.decision->changed;
   if (!news && !step.update.agreed) return;
   Keys keys;

@@ -15,17 +15,17 @@ class ProofChecker {
  public:
   ProofChecker(const Mission& mission, std::size_t tasks, Findings& findings);
 
-  void after(const Step& step);
+  void after(const SeenStep& step);
 
  private:
   struct Proven {
     std::vector<AgentId> members;
     std::vector<Belief> winners;
   };
-  void check_members(const Step& step, const Agreement& proof) const;
-  void check_owners(const Step& step, const Agreement& proof) const;
-  void check_path(const Step& step, const Agreement& proof) const;
-  void check_statements(const Step& step, const Agreement& proof) const;
+  void check_members(const SeenStep& step, const Agreement& proof) const;
+  void check_owners(const SeenStep& step, const Agreement& proof) const;
+  void check_path(const SeenStep& step, const Agreement& proof) const;
+  void check_statements(const SeenStep& step, const Agreement& proof) const;
 
   std::size_t tasks_, limit_;
   Findings& findings_;
@@ -38,7 +38,7 @@ class StabilityChecker {
  public:
   explicit StabilityChecker(Findings& findings) : findings_(findings) {}
 
-  void after(const Step& step);
+  void after(const SeenStep& step);
   /// Two processes say that they are `agent`: what one says is news to the other.
   void has_twin(AgentId agent) { twins_.push_back(agent); }
 

@@ -27,7 +27,7 @@ void StatementChecker::note_bids(AgentId agent, const StatementBody& body) {
       if (table->beliefs[j].winner == agent) note(j, table->beliefs[j].bid);
 }
 
-void StatementChecker::check_key(const Step& step, const StatementKey& key,
+void StatementChecker::check_key(const SeenStep& step, const StatementKey& key,
                                  const StatementBody& body) {
   const auto [at, is_first] = last_.try_emplace(step.life, Said{key, body});
   if (is_first) return;
@@ -49,7 +49,7 @@ bool StatementChecker::was_bid(const Belief& belief, std::size_t task) const {
   return std::find(known.begin(), known.end(), belief.bid) != known.end();
 }
 
-void StatementChecker::after(const Step& step) {
+void StatementChecker::after(const SeenStep& step) {
   if (const auto& decision = step.update.decision) {
     check_key(step, decision->key, decision->body);
     note_bids(step.agent, decision->body);

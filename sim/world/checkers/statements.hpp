@@ -17,14 +17,14 @@ class StatementChecker {
  public:
   StatementChecker(std::size_t tasks, Findings& findings) : tasks_(tasks), findings_(findings) {}
 
-  void after(const Step& step);
+  void after(const SeenStep& step);
 
  private:
   struct Said {
     StatementKey key;
     StatementBody body;
   };
-  void check_key(const Step& step, const StatementKey& key, const StatementBody& body);
+  void check_key(const SeenStep& step, const StatementKey& key, const StatementBody& body);
   void note_bids(AgentId agent, const StatementBody& body);
   bool was_bid(const Belief& belief, std::size_t task) const;
 

@@ -15,7 +15,7 @@
 namespace arcbid {
 
 /// What one step of one life did. A life is one process: an agent that comes back has a new one.
-struct Step {
+struct SeenStep {
   TimeNs now_ns = 0;
   AgentId agent;
   std::uint32_t life = 0;  ///< unique in the world

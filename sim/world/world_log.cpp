@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/world/world_log.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/base/error.hpp"
+#include "core/io/faults/fault_files.hpp"
+#include "core/io/run/run_files.hpp"
+
+namespace arcbid {
+
+struct WorldLog::Life {
+  AgentId agent;
+  std::unique_ptr<AgentLog> log;
+  std::optional<Agreement> agreement;  // until its route is published
+};
+
+WorldLog::WorldLog(const WorldSpec& spec, std::filesystem::path directory)
+    : spec_(spec), directory_(std::move(directory)) {
+  std::error_code none;
+  if (std::filesystem::exists(directory_, none) && !std::filesystem::is_empty(directory_, none))
+    throw InputError(
+        fmt::format("{}: is not empty; name a new directory with --record", directory_.string()));
+  write_arcs_file(directory_, spec.mission);
+  write_whole(directory_ / "faults.yaml", to_yaml(spec.faults));
+}
+
+WorldLog::~WorldLog() = default;
+
+void WorldLog::born(std::uint32_t life, AgentId agent, std::uint64_t incarnation, TimeNs now_ns,
+                    TimeNs clock_ns) {
+  const auto file =
+      directory_ / "logs" / fmt::format("agent_{}.{}.{}.sqlite", agent.value, incarnation, life);
+  const auto refuse = [](const std::string& why) { throw RunError(why); };
+  auto log =
+      std::make_unique<AgentLog>(file, AgentLog::Life{agent, incarnation, spec_.seed}, refuse);
+  log->birth(now_ns, {agent, incarnation, clock_ns}, spec_.mission);
+  lives_[life] = std::make_unique<Life>(Life{agent, std::move(log), std::nullopt});
+}
+
+void WorldLog::stepped(std::uint32_t number, TimeNs now_ns, const Event& event,
+                       const Update& update) {
+  Life& life = *lives_.at(number);
+  if (std::holds_alternative<RoutePublished>(event.what)) plan(life, now_ns);
+  life.log->step(now_ns, {event, update});
+  life.log->commit_if_due(now_ns);
+  if (update.agreed) life.agreement = update.agreed;
+}
+
+/// In the world a route is published at once; on record it stands as it would be flown.
+void WorldLog::plan(Life& life, TimeNs now_ns) const {
+  if (!life.agreement) return;
+  const Mission& mission = spec_.mission;
+  const auto uav = std::find_if(mission.fleet.begin(), mission.fleet.end(),
+                                [&life](const Uav& u) { return u.id == life.agent; });
+  const TaskSet tasks = split(mission.arcs, mission.auction.split_m, mission.auction.max_tasks);
+  const Agreement agreement = *std::exchange(life.agreement, std::nullopt);
+  const Route route = plan_route(mission, tasks, agreement.path, *uav, StraightTransit());
+  life.log->route(now_ns, {agreement.view_hash, route});
+  write_route_file(directory_, life.agent, mission, tasks, agreement, route,
+                   static_cast<double>(now_ns) * 1e-9);
+}
+
+void WorldLog::write_result(const WorldResult& result) {
+  for (auto& [number, life] : lives_) life->log->commit();
+  const nlohmann::json out{{"schema", 1},
+                           {"seed", result.seed},
+                           {"agreement",
+                            {{"reached", result.agreed},
+                             {"rounds", result.rounds},
+                             {"time_s", static_cast<double>(result.agreed_ns) * 1e-9}}},
+                           {"makespan_s", result.makespan_s},
+                           {"messages", {{"sent", result.messages}, {"bytes", result.bytes}}},
+                           {"faults", nlohmann::json::array()}};
+  write_whole(directory_ / "result.json", out.dump(2) + "\n");
+}
+
+}  // namespace arcbid
