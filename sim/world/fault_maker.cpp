@@ -30,7 +30,8 @@ class FaultMaker {
   void make_topology() {
     const auto last = static_cast<std::uint32_t>(settings_.topologies.size() - 1);
     schedule_.topology.kind = settings_.topologies[dice_.between(0, last)];
-    schedule_.topology.radius_m = dice_.within(30, 90);
+    const double radius_m = dice_.within(30, 90);
+    if (schedule_.topology.kind == TopologyKind::geometric) schedule_.topology.radius_m = radius_m;
   }
 
   void add(WorldFault kind) {
@@ -106,11 +107,14 @@ class FaultMaker {
   }
 
   Delay delay() {
-    const TimeNs least = dice_.time_ns(0, 60 * ms);
-    return {.kind = static_cast<Delay::Kind>(dice_.between(0, 2)),
-            .least_ns = least,
-            .most_ns = least + dice_.time_ns(0, 200 * ms),
-            .mean_ns = dice_.time_ns(5 * ms, 80 * ms)};
+    Delay delay;
+    delay.least_ns = dice_.time_ns(0, 60 * ms);
+    delay.kind = static_cast<Delay::Kind>(dice_.between(0, 2));
+    const TimeNs most = delay.least_ns + dice_.time_ns(0, 200 * ms);
+    const TimeNs mean = dice_.time_ns(5 * ms, 80 * ms);
+    if (delay.kind == Delay::Kind::uniform) delay.most_ns = most;
+    if (delay.kind == Delay::Kind::exponential) delay.mean_ns = mean;
+    return delay;
   }
 
   Obstacle box() {

@@ -7,6 +7,7 @@
 
 #include "core/auction/task_set.hpp"
 #include "core/base/error.hpp"
+#include "core/io/faults/fault_files.hpp"
 #include "sim/world/settings_file.hpp"
 
 namespace arcbid::testing {
@@ -56,6 +57,15 @@ TEST(WorldSettings, HaveAReferenceInTheDocs) {
   text << file.rdbuf();
   EXPECT_THAT(text.str(), HasSubstr(worlds_reference())) << "put this table there:\n"
                                                          << worlds_reference();
+}
+
+/// A failing seed becomes a live run's fault file, and a recorded world's.
+TEST(WorldMaker, MakesSchedulesThatFaultFilesCanHold) {
+  WorldSettings settings = load_worlds(std::string(ARCBID_SOURCE_DIR) + "/configs/sim.yaml");
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    const std::string text = to_yaml(make_world(settings, seed).faults);
+    EXPECT_NO_THROW(parse_faults(text, "drawn.yaml")) << seed << "\n" << text;
+  }
 }
 
 TEST(WorldMaker, StaysWithinItsRangesAndUsesThemUp) {
