@@ -16,32 +16,27 @@ json number_of(const std::optional<AgentId>& agent) {
   return agent ? json(agent->value) : json(-1);
 }
 
-/// z and y of one life, as they change with what it comes to hold.
+/// z and y of one agent, as they change with what its life comes to hold. A new life knows nothing.
 class Beliefs {
  public:
-  Beliefs(const RunArchive& run, const LifeLog& life)
-      : run_(run), life_(life), known_(run.tasks.tasks.size()), view_(roster(*run.mission)) {
-    const auto& fleet = run.mission->fleet;
-    for (std::size_t k = 0; k < fleet.size(); ++k)
-      for (const Learnt& learnt : life.learnt()[k]) news_[learnt.mark].emplace_back(k, learnt);
-  }
+  explicit Beliefs(const RunArchive& run)
+      : run_(run), known_(run.tasks.tasks.size()), view_(roster(*run.mission)) {}
 
-  json changes() {
-    json out = json::array();
-    life_.steps([&](std::size_t mark, const Step& step, std::string_view) {
-      if (const auto news = news_.find(mark); news != news_.end())
-        for (const auto& [member, learnt] : news->second) merge(member, learnt, step);
-      else
-        return true;
-      json z = difference(now(step));
-      if (!z.empty())
-        out.push_back({{"t_s", seconds(life_.marks()[mark].t_ns)},
-                       {"round", life_.marks()[mark].round},
-                       {"z", std::move(z)}});
+  void live(const LifeLog& life) {
+    view_ = View(roster(*run_.mission));
+    note(life.born_ns(), 0, std::vector<Belief>(known_.size()));
+    std::map<std::size_t, std::vector<std::pair<std::size_t, Learnt>>> news;  // by mark
+    for (std::size_t k = 0; k < run_.mission->fleet.size(); ++k)
+      for (const Learnt& learnt : life.learnt()[k]) news[learnt.mark].emplace_back(k, learnt);
+    life.steps([&](std::size_t mark, const Step& step, std::string_view) {
+      const auto learnt = news.find(mark);
+      if (learnt == news.end()) return true;
+      for (const auto& [member, what] : learnt->second) merge(member, what, step);
+      note(life.marks()[mark].t_ns, life.marks()[mark].round, now(step));
       return true;
     });
-    return out;
   }
+  json changes() const { return changes_; }
 
  private:
   static std::vector<AgentId> roster(const Mission& mission) {
@@ -69,7 +64,7 @@ class Beliefs {
         step.update.decision ? std::get_if<Table>(&step.update.decision->body) : nullptr;
     return table && table->beliefs.size() == known_.size() ? table->beliefs : known_;
   }
-  json difference(std::vector<Belief> now) {
+  void note(TimeNs t_ns, std::uint32_t round, std::vector<Belief> now) {
     json z = json::array();
     for (std::size_t j = 0; j < now.size(); ++j) {
       if (now[j] == known_[j]) continue;
@@ -78,15 +73,32 @@ class Beliefs {
       z.push_back(now[j].winner ? json(now[j].bid) : json(nullptr));
     }
     known_ = std::move(now);
-    return z;
+    if (!z.empty())
+      changes_.push_back({{"t_s", seconds(t_ns)}, {"round", round}, {"z", std::move(z)}});
   }
 
   const RunArchive& run_;
-  const LifeLog& life_;
   std::vector<Belief> known_;
   View view_;
-  std::map<std::size_t, std::vector<std::pair<std::size_t, Learnt>>> news_;  // by mark
+  json changes_ = json::array();
 };
+
+/// One after another; of two that lived at once (a second process with the id) the first.
+json views_of(const RunArchive& run) {
+  json views = json::array();
+  for (std::size_t l = 0; l < run.lives.size();) {
+    const AgentId agent = run.lives[l].agent();
+    Beliefs beliefs(run);
+    TimeNs until_ns = INT64_MIN;
+    for (; l < run.lives.size() && run.lives[l].agent() == agent; ++l) {
+      if (run.lives[l].born_ns() < until_ns) continue;
+      until_ns = run.lives[l].last_ns();
+      beliefs.live(run.lives[l]);
+    }
+    views.push_back({{"agent", agent.value}, {"changes", beliefs.changes()}});
+  }
+  return views;
+}
 
 /// What agents claim of themselves, decision by decision, and when two first claim the same.
 class Story {
@@ -223,15 +235,10 @@ class Story {
 json auction_data(const RunArchive& run, const Playback& playback) {
   Story story(run, playback);
   story.tell();
-  json views = json::array();
-  for (const LifeLog& life : run.lives)
-    views.push_back({{"agent", life.agent().value},
-                     {"incarnation", life.incarnation()},
-                     {"changes", Beliefs(run, life).changes()}});
   const auto& moments = playback.moments();
   return {{"start_s", moments.empty() ? 0.0 : seconds(moments.front().t_ns)},
           {"end_s", moments.empty() ? 0.0 : seconds(moments.back().t_ns)},
-          {"views", views},
+          {"views", views_of(run)},
           {"decisions", story.decisions},
           {"states", story.states},
           {"events", story.events},
