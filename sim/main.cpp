@@ -8,6 +8,7 @@
 #include "core/io/process/command_line.hpp"
 #include "sim/auction/command.hpp"
 #include "sim/checker/checker.hpp"
+#include "sim/commands/explain_command.hpp"
 #include "sim/commands/replay_command.hpp"
 #include "sim/commands/sim_command.hpp"
 #include "sim/commands/view_command.hpp"
@@ -159,6 +160,7 @@ int main(int argc, char** argv) {
   const AuctionCommand auction(app);
   const SimCommand sim(app);
   const ReplayCommand replay(app);
+  const ExplainCommand explain(app);
   const ViewCommand view(app);
   CLI::App* reference_command =
       app.add_subcommand("config-reference", "print every key of a config, its range and default");
@@ -167,6 +169,7 @@ int main(int argc, char** argv) {
     if (auction.parsed()) return auction.run();
     if (sim.parsed()) return sim.run();
     if (replay.parsed()) return replay.run();
+    if (explain.parsed()) return explain.run();
     if (view.parsed()) return view.run(programs());
     if (check_command->parsed()) return check_again(directory);
     if (picture_command->parsed()) fmt::print("{}", draw_routes(directory));

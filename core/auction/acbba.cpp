@@ -41,12 +41,6 @@ AcbbaReaction sender_names_nobody(Who receiver, int age) {
   return receiver != Who::none && age > 0 ? update : leave;
 }
 
-Who role(const std::optional<AgentId>& winner, AgentId i, AgentId k) {
-  if (!winner) return Who::none;
-  if (*winner == i) return Who::i;
-  return *winner == k ? Who::k : Who::m;
-}
-
 }  // namespace
 
 AcbbaReaction acbba_rule(Who sender, Who receiver, bool higher, int age) {
@@ -78,9 +72,7 @@ void AcbbaState::set(TaskId j, const Belief& belief, std::uint64_t time) {
 Rebroadcast AcbbaState::receive(AgentId sender, TaskId j, const TimedBelief& theirs) {
   clock_ = std::max(clock_, theirs.time);
   const TimedBelief ours = belief(j);
-  const Who sends = role(theirs.belief.winner, self_, sender);
-  Who has = role(ours.belief.winner, self_, sender);
-  if (sends == Who::m && has == Who::m && theirs.belief.winner != ours.belief.winner) has = Who::n;
+  const auto [sends, has] = believed(self_, sender, theirs.belief.winner, ours.belief.winner);
   const bool higher =
       theirs.belief.winner && beats(theirs.belief.bid, *theirs.belief.winner, ours.belief);
   const int age = (theirs.time > ours.time) - (theirs.time < ours.time);

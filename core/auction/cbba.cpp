@@ -13,18 +13,6 @@ namespace {
 
 constexpr std::size_t block = 16;  // beliefs compared at once
 
-Who role(const std::optional<AgentId>& winner, AgentId i, AgentId k) {
-  if (!winner) return Who::none;
-  if (*winner == i) return Who::i;
-  if (*winner == k) return Who::k;
-  return Who::m;
-}
-
-/// A statement's key as a number that grows with it: 42 bits of milliseconds, 22 of version.
-std::uint64_t timestamp(const StatementKey& key) {
-  return (key.incarnation << 22) | key.version;
-}
-
 }  // namespace
 
 CbbaState::CbbaState(AgentId self, std::vector<AgentId> roster, Bundle bundle, std::size_t tasks,
@@ -34,22 +22,19 @@ CbbaState::CbbaState(AgentId self, std::vector<AgentId> roster, Bundle bundle, s
   table_.timestamps.resize(roster_.size());
 }
 
-std::size_t CbbaState::position(AgentId agent) const {
-  const auto at = position_in(roster_, agent);
-  check(at.has_value(), "a believed winner is of the roster");
-  return *at;
+std::uint64_t timestamp_of(const StatementKey& key) {
+  return (key.incarnation << 22) | key.version;
 }
 
-Action CbbaState::rule(AgentId sender, const Belief& theirs, const Belief& ours,
-                       const std::vector<std::uint64_t>& sender_timestamps) const {
-  const Who sends = role(theirs.winner, self_, sender);
-  Who has = role(ours.winner, self_, sender);
-  if (sends == Who::m && has == Who::m && theirs.winner != ours.winner) has = Who::n;
+Fired fired(const std::vector<AgentId>& roster, const Side& sender, const Side& receiver) {
+  const Belief &theirs = sender.belief, &ours = receiver.belief;
+  const auto [sends, has] = believed(receiver.agent, sender.agent, theirs.winner, ours.winner);
   std::uint8_t holds = always;
   const auto compare = [&](AgentId other, std::uint8_t newer, std::uint8_t same_too,
                            std::uint8_t older) {
-    const std::size_t at = position(other);
-    const std::uint64_t s_k = sender_timestamps[at], s_i = table_.timestamps[at];
+    const auto at = position_in(roster, other);
+    check(at.has_value(), "a believed winner is of the roster");
+    const std::uint64_t s_k = sender.timestamps[*at], s_i = receiver.timestamps[*at];
     if (s_k > s_i) holds |= newer;
     if (s_k >= s_i) holds |= same_too;
     if (s_k < s_i) holds |= older;
@@ -60,7 +45,8 @@ Action CbbaState::rule(AgentId sender, const Belief& theirs, const Belief& ours,
     compare(*ours.winner, newer_m, newer_or_same_m, older_m);
   if (has == Who::n) compare(*ours.winner, newer_n, always, always);
   if (theirs.winner && beats(theirs.bid, *theirs.winner, ours)) holds |= higher_bid;
-  return decide(row(sends, has), holds);
+  const Row& rule = row(sends, has);
+  return {rule, decide(rule, holds)};
 }
 
 bool CbbaState::apply(AgentId sender, const Table& table, std::size_t first, std::size_t last) {
@@ -69,7 +55,8 @@ bool CbbaState::apply(AgentId sender, const Table& table, std::size_t first, std
     Belief& ours = table_.beliefs[j];
     const Belief& theirs = table.beliefs[j];
     if (theirs == ours) continue;  // no row changes anything then
-    const Action action = rule(sender, theirs, ours, table.timestamps);
+    const Action action =
+        fired(roster_, {sender, theirs, table.timestamps}, {self_, ours, table_.timestamps}).action;
     if (action == Action::leave) continue;
     ours = action == Action::update ? theirs : Belief{};
     changed = true;
@@ -150,7 +137,7 @@ Decision CbbaPolicy::decide(const View& view) {
     Table living = *table;  // its owner may not know yet who died
     for (Belief& belief : living.beliefs)
       if (belief.winner && view.dead(*belief.winner)) belief = {};
-    state_.receive(k, living, timestamp(view.key(k)));
+    state_.receive(k, living, timestamp_of(view.key(k)));
   }
   state_.release();
   state_.bid();

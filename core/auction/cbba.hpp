@@ -11,6 +11,22 @@
 
 namespace arcbid {
 
+/// What one of the two parties to a message believes about a task, and its s.
+struct Side {
+  AgentId agent;
+  const Belief& belief;
+  const std::vector<std::uint64_t>& timestamps;
+};
+/// The row of Table I that applies, and what it says.
+struct Fired {
+  const Row& row;
+  Action action;
+};
+Fired fired(const std::vector<AgentId>& roster, const Side& sender, const Side& receiver);
+
+/// A statement's key as a timestamp that grows with it: 42 bits of milliseconds, 22 of version.
+std::uint64_t timestamp_of(const StatementKey& key);
+
 /// The state of one agent under CBBA (Choi, Brunet, How 2009): y_i, z_i, s_i and the bundle; and
 /// its two phases. Timestamps are any numbers that grow with news: rounds, times or versions. As
 /// published, an agent keeps what it bundled before the first task that it was outbid on; with
@@ -40,9 +56,6 @@ class CbbaState {
  private:
   bool claim();
   bool apply(AgentId sender, const Table& table, std::size_t first, std::size_t last);
-  Action rule(AgentId sender, const Belief& theirs, const Belief& ours,
-              const std::vector<std::uint64_t>& sender_timestamps) const;
-  std::size_t position(AgentId agent) const;
 
   AgentId self_;
   std::vector<AgentId> roster_;

@@ -17,6 +17,11 @@ std::string_view name(Action action) {
   return "?";
 }
 
+std::string_view name(Who who) {
+  constexpr std::array<std::string_view, 5> names{"i", "k", "m", "n", "none"};
+  return names[static_cast<std::size_t>(who)];
+}
+
 namespace {
 
 constexpr std::size_t kinds = 5;

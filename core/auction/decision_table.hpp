@@ -3,7 +3,10 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string_view>
+
+#include "core/base/ids.hpp"
 
 namespace arcbid {
 
@@ -13,12 +16,28 @@ namespace arcbid {
 /// Whom an agent believes to be the winner.
 enum class Who : std::uint8_t { i, k, m, n, none };
 
+/// Whom the sender (z_kj) and the receiver (z_ij) of a message believe to be the winner.
+struct Believed {
+  Who sender, receiver;
+};
+inline Believed believed(AgentId i, AgentId k, std::optional<AgentId> z_kj,
+                         std::optional<AgentId> z_ij) {
+  const auto who = [i, k](std::optional<AgentId> winner) {
+    if (!winner) return Who::none;
+    return *winner == i ? Who::i : *winner == k ? Who::k : Who::m;
+  };
+  const Who sender = who(z_kj), receiver = who(z_ij);
+  const bool differ = sender == Who::m && receiver == Who::m && z_kj != z_ij;
+  return {sender, differ ? Who::n : receiver};
+}
+
 enum class Action : std::uint8_t {
   leave,   ///< keep z_ij, y_ij
   update,  ///< z_ij = z_kj, y_ij = y_kj
   reset    ///< z_ij = none, y_ij = 0
 };
 std::string_view name(Action action);
+std::string_view name(Who who);
 
 /// What a clause may ask. All that are set must hold.
 enum Condition : std::uint8_t {

@@ -25,6 +25,9 @@ struct WorldResult {
   TimeNs calm_ns = 0;         ///< when the last fault, and what it had delayed, was over
   TimeNs bound_ns = 0;        ///< agreement must come so long after that
   double makespan_s = 0;      ///< the slowest agent's closed path
+  double total_length_m = 0;  ///< of all closed paths
+  std::vector<Belief> winners;  ///< of the agreement, an entry for each task; of the largest part
+                                ///< of a fleet that ended in several
   std::uint64_t digest = 0;   ///< of all that happened, step by step
   std::vector<Violation> violations;
 };

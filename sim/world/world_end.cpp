@@ -103,6 +103,7 @@ void World::check_outcome(const std::vector<Component>& components) {
   const AuctionSettings& auction = spec_.mission.auction;
   const bool is_greedy =
       auction.policy == PolicyKind::claims && auction.score != ScoreKind::discounted_insert;
+  std::size_t largest = 0;
   for (const Component& component : components) {
     const std::vector<Bidder> all = bidders(component);
     std::vector<Piece> flown;
@@ -111,10 +112,15 @@ void World::check_outcome(const std::vector<Component>& components) {
       for (const PathStop& stop : bidder.path) path.push_back(stop.task);
       for (const Piece& piece : combine(life_of(component.members[0]).core->tasks(), path))
         flown.push_back(piece);
-      result_.makespan_s =
-          std::max(result_.makespan_s, closed_path_s(pieces_, bidder.uav, bidder.path));
+      const double closed_s = closed_path_s(pieces_, bidder.uav, bidder.path);
+      result_.makespan_s = std::max(result_.makespan_s, closed_s);
+      result_.total_length_m += closed_s * bidder.uav.speed_mps;
     }
     const std::vector<Belief>& winners = life_of(component.members[0]).proof->winners;
+    if (component.members.size() > largest) {
+      largest = component.members.size();
+      result_.winners = winners;
+    }
     for (std::size_t j = 0; j < winners.size(); ++j)
       if (!winners[j].winner)
         flown.push_back({{pieces_[j].arc}, pieces_[j].from_m, pieces_[j].to_m});
