@@ -9,6 +9,7 @@
 #include "sim/auction/command.hpp"
 #include "sim/checker/checker.hpp"
 #include "sim/commands/explain_command.hpp"
+#include "sim/commands/export_command.hpp"
 #include "sim/commands/replay_command.hpp"
 #include "sim/commands/sim_command.hpp"
 #include "sim/commands/view_command.hpp"
@@ -162,6 +163,7 @@ int main(int argc, char** argv) {
   const ReplayCommand replay(app);
   const ExplainCommand explain(app);
   const ViewCommand view(app);
+  const ExportCommand export_run(app);
   CLI::App* reference_command =
       app.add_subcommand("config-reference", "print every key of a config, its range and default");
   return run_command_line(app, argc, argv, [&] {
@@ -171,6 +173,7 @@ int main(int argc, char** argv) {
     if (replay.parsed()) return replay.run();
     if (explain.parsed()) return explain.run();
     if (view.parsed()) return view.run(programs());
+    if (export_run.parsed()) return export_run.run();
     if (check_command->parsed()) return check_again(directory);
     if (picture_command->parsed()) fmt::print("{}", draw_routes(directory));
     if (reference_command->parsed()) fmt::print("{}", config_reference());

@@ -25,11 +25,13 @@ RosTopics::RosTopics(mcap::McapWriter& writer) : writer_(writer) {
   writer_.metadata("rosbag2", {{"ROS_DISTRO", "humble"}});
 }
 
-mcap::ChannelId RosTopics::channel(std::string_view type, std::string_view name,
-                                   Durability durability) {
+mcap::ChannelId RosTopics::topic_of(std::string_view type, std::string_view definition,
+                                    std::string_view name, Durability durability) {
   auto known = schemas_.find(type);
-  if (known == schemas_.end())
-    known = schemas_.emplace(type, writer_.schema(type, "ros2msg", schema_text(type))).first;
+  if (known == schemas_.end()) {
+    const std::string own = definition.empty() ? schema_text(type) : std::string(definition);
+    known = schemas_.emplace(type, writer_.schema(type, "ros2msg", own)).first;
+  }
   return writer_.channel(name, known->second, "cdr",
                          {{"offered_qos_profiles", offered_qos(durability)}});
 }

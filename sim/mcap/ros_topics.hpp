@@ -29,8 +29,13 @@ class RosTopics {
 
   template <class Message>
   Topic<Message> topic(std::string_view name, Durability durability) {
-    return {channel(Message::type, name, durability)};
+    return {topic_of(Message::type, {}, name, durability)};
   }
+
+  /// One of a type that is not ROS 2's own, with its definition in ROS 2's message language; its
+  /// messages, CDR, go to the writer directly.
+  mcap::ChannelId topic_of(std::string_view type, std::string_view definition,
+                           std::string_view name, Durability durability);
 
   template <class Message>
   void write(Topic<Message>& topic, std::uint64_t time_ns, const Message& message) {
@@ -38,10 +43,8 @@ class RosTopics {
   }
 
  private:
-  mcap::ChannelId channel(std::string_view type, std::string_view name, Durability durability);
-
   mcap::McapWriter& writer_;
-  std::map<std::string_view, mcap::SchemaId> schemas_;
+  std::map<std::string, mcap::SchemaId, std::less<>> schemas_;
 };
 
 }  // namespace arcbid::ros

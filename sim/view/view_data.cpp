@@ -11,6 +11,7 @@
 #include "core/io/build/build.hpp"
 #include "core/io/faults/fault_files.hpp"
 #include "core/io/structure_reader.hpp"
+#include "sim/replay/explain.hpp"
 #include "sim/view/base64.hpp"
 
 namespace arcbid {
@@ -143,6 +144,19 @@ json summary_of(const RunArchive& run) {
   return out;
 }
 
+/// Why who has what: by task.
+json explanations_of(const RunArchive& run, const Playback& playback) {
+  const Explainer explainer(run, playback);
+  json out = json::object();
+  for (const Task& task : run.tasks.tasks) {
+    json reasons = json::array();
+    for (const Explanation& e : explainer.explain(task.id))
+      reasons.push_back({{"t_s", seconds(e.t_ns)}, {"agent", e.agent.value}, {"text", e.text}});
+    if (!reasons.empty()) out[std::to_string(task.id.value)] = std::move(reasons);
+  }
+  return out;
+}
+
 /// Splits and healings that were asked for, as marks to jump to.
 void add_partitions(const RunArchive& run, json& events) {
   const auto file = run.directory / "faults.yaml";
@@ -175,7 +189,8 @@ json view_data(const RunArchive& run) {
            {"tasks", tasks_of(run)},
            {"agents", agents_of(*run.mission)},
            {"auction", auction_data(run, playback)},
-           {"mission", {{"routes", routes_of(run)}}}};
+           {"mission", {{"routes", routes_of(run)}}},
+           {"explanations", explanations_of(run, playback)}};
   add_partitions(run, out["auction"]["events"]);
   if (json structure = structure_of(run); !structure.is_null()) out["structure"] = structure;
   return out;

@@ -29,7 +29,7 @@ inline Reading read(const std::string& file) {
   return {WEXITSTATUS(status), nlohmann::json::parse(said)};
 }
 
-class ReadBack : public testing::TestWithParam<mcap::Compression> {
+class ReadBack : public ::testing::TestWithParam<mcap::Compression> {
  protected:
   ReadBack() {
     std::string name = (std::filesystem::temp_directory_path() / "arcbid_mcap_XXXXXX").string();
