@@ -24,7 +24,8 @@ std::vector<TaskId> tasks_of(const RunArchive& run, ArcId arc) {
 }  // namespace
 
 ExplainCommand::ExplainCommand(CLI::App& app)
-    : command_(app.add_subcommand("explain", "why who has what, and what would have been otherwise")) {
+    : command_(
+          app.add_subcommand("explain", "why who has what, and what would have been otherwise")) {
   command_->add_option("run", run_, "run directory")->required()->check(CLI::ExistingDirectory);
   CLI::Option_group* what = command_->add_option_group("what");
   what->add_option("--arc", arc_, "all tasks of this arc");
@@ -37,8 +38,8 @@ ExplainCommand::ExplainCommand(CLI::App& app)
 Exit ExplainCommand::run() const {
   const RunArchive run = open_run(run_);
   if (task_ && *task_ >= run.tasks.tasks.size())
-    throw InputError(fmt::format("--task {}: {} has tasks 0 to {}", *task_, run_,
-                                 run.tasks.tasks.size() - 1));
+    throw InputError(
+        fmt::format("--task {}: {} has tasks 0 to {}", *task_, run_, run.tasks.tasks.size() - 1));
   const std::vector<Uav>& fleet = run.mission->fleet;
   if (agent_ && std::none_of(fleet.begin(), fleet.end(),
                              [this](const Uav& uav) { return uav.id == AgentId{*agent_}; }))

@@ -10,16 +10,16 @@
 namespace arcbid {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 
 double seconds(TimeNs t_ns) {
   return static_cast<double>(t_ns) * 1e-9;
 }
-json id_of(const MessageId& id) {
+Json id_of(const MessageId& id) {
   return {{"sender", id.sender.value}, {"incarnation", id.incarnation}, {"sequence", id.sequence}};
 }
-json as_json(const Explanation& told) {
-  json out{{"t_ns", told.t_ns},   {"agent", told.agent.value}, {"kind", name_of(told.kind)},
+Json as_json(const Explanation& told) {
+  Json out{{"t_ns", told.t_ns},   {"agent", told.agent.value}, {"kind", name_of(told.kind)},
            {"round", told.round}, {"text", told.text},         {"task", told.task.value}};
   if (told.kind != Explanation::Kind::death) out["bid"] = told.bid;
   if (told.place > 0) out["place"] = told.place;
@@ -45,9 +45,7 @@ ExplainReport::ExplainReport(const RunArchive& run)
     : run_(run),
       playback_(run),
       explainer_(run, playback_),
-      json_{{"run", run.directory.string()},
-            {"tasks", json::array()},
-            {"agents", json::array()}} {}
+      json_{{"run", run.directory.string()}, {"tasks", Json::array()}, {"agents", Json::array()}} {}
 
 template <class... T>
 void ExplainReport::line(fmt::format_string<T...> format, T&&... values) {
@@ -59,12 +57,8 @@ void ExplainReport::add(TaskId id) {
   const std::vector<Explanation>& story = explainer_.explain(id);
   line("task {}: arc {} from {:.2f} m to {:.2f} m", id.value, task.arc.value, task.from_m,
        task.to_m);
-  json out{{"task", id.value},
-           {"arc", task.arc.value},
-           {"from_m", task.from_m},
-           {"to_m", task.to_m},
-           {"owner", nullptr},
-           {"story", json::array()}};
+  Json out{{"task", id.value},  {"arc", task.arc.value}, {"from_m", task.from_m},
+           {"to_m", task.to_m}, {"owner", nullptr},      {"story", Json::array()}};
   for (const Explanation& told : story) {
     line("  {:>10.6f} s  agent {}: {}", seconds(told.t_ns), told.agent.value, told.text);
     out["story"].push_back(as_json(told));
@@ -82,25 +76,26 @@ void ExplainReport::add(TaskId id) {
   json_["tasks"].push_back(std::move(out));
 }
 
-json ExplainReport::tell(const WithoutMessage& other) {
+Json ExplainReport::tell(const WithoutMessage& other) {
   constexpr std::size_t most_shown = 3;
-  json out{{"message", id_of(other.message)},
+  Json out{{"message", id_of(other.message)},
            {"copies", other.copies},
            {"bids", other.bids},
            {"bids_logged", other.bids_logged},
-           {"decisions", json::array()}};
+           {"decisions", Json::array()}};
   for (const WithoutMessage::Decision& made : other.decisions) {
     out["decisions"].push_back({{"t_ns", made.t_ns},
                                 {"round", made.round},
                                 {"has_task", made.has_task},
-                                {"bid", made.has_task ? json(made.bid) : json()}});
+                                {"bid", made.has_task ? Json(made.bid) : Json()}});
     if (out["decisions"].size() > most_shown) continue;
     line("    {:>8.6f} s  round {}: {}", seconds(made.t_ns), made.round,
          made.has_task ? fmt::format("has the task, for {:.3f}", made.bid) : "has it no more");
   }
   if (other.instead) {
-    line("    the same statement, or a newer one, came {:.6f} s after the drop, by {}",
-         seconds(other.instead_ns - other.dropped_ns), describe(*other.instead));
+    const double after_s = seconds(other.instead_ns - other.dropped_ns);
+    line("    a statement as new came by {}, {:.6f} s {} the drop", describe(*other.instead),
+         std::abs(after_s), after_s < 0 ? "before" : "after");
     out["instead"] = id_of(other.instead->id);
   }
   if (other.dropped_late) {
@@ -135,19 +130,20 @@ const ExplainReport::Alive& ExplainReport::alive(const Explanation& death) {
   return worlds;
 }
 
-json ExplainReport::tell(const Explanation& death, const Alive& worlds) {
+Json ExplainReport::tell(const Explanation& death, const Alive& worlds) {
   const AgentId agent = *death.rival.winner;
-  json out{{"agent", agent.value}};
+  Json out{{"agent", agent.value}};
   if (!worlds.after) {
     line("  with agent {} alive: cannot be told: {}", agent.value, worlds.problem);
     out["problem"] = worlds.problem;
     return out;
   }
   const WorldResult &before = *worlds.before, &after = *worlds.after;
-  line("  with agent {} alive, simulated: {} would have it instead of {}; makespan {:.3f} s instead "
-       "of {:.3f} s, {:+.3f} s; {} tasks with another owner",
-       agent.value, owner_in(after, death.task), owner_in(before, death.task), after.makespan_s,
-       before.makespan_s, after.makespan_s - before.makespan_s, owners_changed(before, after));
+  line(
+      "  with agent {} alive, simulated: {} would have it instead of {}; makespan {:.3f} s instead "
+      "of {:.3f} s, {:+.3f} s; {} tasks with another owner",
+      agent.value, owner_in(after, death.task), owner_in(before, death.task), after.makespan_s,
+      before.makespan_s, after.makespan_s - before.makespan_s, owners_changed(before, after));
   out["owner"] = {{"before", owner_in(before, death.task)}, {"after", owner_in(after, death.task)}};
   out["makespan_s"] = {{"before", before.makespan_s},
                        {"after", after.makespan_s},
@@ -158,7 +154,7 @@ json ExplainReport::tell(const Explanation& death, const Alive& worlds) {
 
 void ExplainReport::add(AgentId agent) {
   line("agent {}", agent.value);
-  json out{{"agent", agent.value}, {"story", json::array()}};
+  Json out{{"agent", agent.value}, {"story", Json::array()}};
   for (const Explanation& told : explainer_.explain(agent)) {
     line("  {:>10.6f} s  task {}: {}", seconds(told.t_ns), told.task.value, told.text);
     out["story"].push_back(as_json(told));

@@ -64,8 +64,8 @@ class OnceMore {
     if (out_.instead || !said || update.refused || said->agent != missing_->agent ||
         said->key < missing_->key)
       return;
-    out_.instead = Source{*log_.marks()[mark].heard,
-                          std::holds_alternative<RelayMessage>(event.what)};
+    out_.instead =
+        Source{*log_.marks()[mark].heard, std::holds_alternative<RelayMessage>(event.what)};
     out_.instead_ns = log_.marks()[mark].t_ns;
   }
   void note(std::size_t mark, const DecisionMade& made) {

@@ -112,8 +112,8 @@ class Narrator {
       const Claim& claim = mind.before()[n];
       if (place_[claim.task.value] > 0) continue;
       const auto loss = mind.loss(claim);
-      Explanation told = event(moment, claim.task,
-                               loss ? Explanation::Kind::outbid : Explanation::Kind::released);
+      Explanation told =
+          event(moment, claim.task, loss ? Explanation::Kind::outbid : Explanation::Kind::released);
       told.round = decision.round;
       told.place = n + 1;
       told.bid = claim.bid;

@@ -38,17 +38,15 @@ std::string bid(const Explanation& told, const Reason& reason) {
 std::string outbid(const Explanation& told, const Reason& reason) {
   const std::string head =
       fmt::format("round {}: drops it (place {} of its bundle)", told.round, told.place);
-  if (!told.rival.winner)
-    return fmt::format("{}: {}{}", head, reason.rule, learnt_by(told.source));
+  if (!told.rival.winner) return fmt::format("{}: {}{}", head, reason.rule, learnt_by(told.source));
   return fmt::format("{}: agent {} bids {}, it {}, margin {}: {}{}", head, told.rival.winner->value,
                      figure(told.rival.bid, told.bid), figure(told.bid, told.rival.bid),
                      margin(told.rival.bid, told.bid), reason.rule, learnt_by(told.source));
 }
 
 std::string released(const Explanation& told, const Reason& reason) {
-  const std::string head =
-      fmt::format("round {}: releases it (place {} of its bundle, bid {:.3f})", told.round,
-                  told.place, told.bid);
+  const std::string head = fmt::format("round {}: releases it (place {} of its bundle, bid {:.3f})",
+                                       told.round, told.place, told.bid);
   const std::string other = fmt::format("task {}, place {}", reason.other.value, reason.place);
   const std::string by = reason.by ? fmt::format("agent {}", reason.by->value) : "nobody";
   switch (reason.cause) {

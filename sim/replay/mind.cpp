@@ -89,7 +89,8 @@ std::vector<Belief> Mind::best_of_others(const Cursors& heard) const {
 }
 
 void Mind::take_table(const Table& before, const Table& after) {
-  table_losses_ = table_losses(run_.mission->auction.policy, roster_, log_.agent(), before, tables());
+  table_losses_ =
+      table_losses(run_.mission->auction.policy, roster_, log_.agent(), before, tables());
   rivals_.assign(after.beliefs.size(), {});
   for (std::size_t j = 0; j < rivals_.size(); ++j)
     for (const Table* table : {&after, &before})
@@ -112,7 +113,8 @@ std::optional<Mind::Loss> Mind::loss(const Claim& claim) const {
   for (const TableLoss& lost : table_losses_)
     if (lost.task == claim.task) {
       const Learnt* from = held(lost.sender, heard_);
-      return Loss{lost.winner, from ? std::optional(from->mark) : std::nullopt, lost.row, lost.rule};
+      return Loss{lost.winner, from ? std::optional(from->mark) : std::nullopt, lost.row,
+                  lost.rule};
     }
   const Belief& rival = rivals_[claim.task.value];
   if (own_ && std::holds_alternative<Table>(*own_)) return std::nullopt;
@@ -145,8 +147,7 @@ const Learnt* Mind::news_of(AgentId agent) const {
 std::vector<TaskId> Mind::tasks_of(AgentId agent, std::size_t mark) const {
   std::vector<TaskId> out;
   const auto* own = own_ ? std::get_if<Table>(own_) : nullptr;
-  const std::vector<Belief> known =
-      own ? own->beliefs : best_of_others(heard_before(heard_, mark));
+  const std::vector<Belief> known = own ? own->beliefs : best_of_others(heard_before(heard_, mark));
   for (std::uint32_t j = 0; j < known.size(); ++j) {
     const auto mine = std::find_if(after_.begin(), after_.end(),
                                    [j](const Claim& claim) { return claim.task == TaskId{j}; });

@@ -27,10 +27,10 @@ const StatementBody* RunIndex::body(AgentId agent, const StatementKey& key) cons
 
 RunIndex::Life RunIndex::read(const LifeLog& log) {
   Life life;
-  log.steps([&](std::size_t mark, Step step, std::string_view) {
-    note(life, mark, log.agent(), std::move(step));
-    return true;
-  });
+  const std::vector<Mark>& marks = log.marks();
+  for (std::size_t m = 0; m < marks.size(); ++m)
+    if (marks[m].changed || marks[m].learnt || marks[m].died || marks[m].returned)
+      note(life, m, log.agent(), log.step(m));
   return life;
 }
 

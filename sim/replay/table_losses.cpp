@@ -36,10 +36,10 @@ class Receiver {
       const bool was_own = ours.winner == self_;
       ours = rule.action == Action::update ? theirs : Belief{};
       if (was_own && ours.winner != self_)
-        lost_.push_back({j, ours, k, rule.row.number,
-                         fmt::format("Table I, row {} ({}): {}", rule.row.number,
-                                     pair_of(rule.row.sender, rule.row.receiver),
-                                     name(rule.action))});
+        lost_.push_back(
+            {j, ours, k, rule.row.number,
+             fmt::format("Table I, row {} ({}): {}", rule.row.number,
+                         pair_of(rule.row.sender, rule.row.receiver), name(rule.action))});
     }
     for (std::size_t m = 0; m < roster_.size(); ++m)
       table_.timestamps[m] = std::max(table_.timestamps[m], said.timestamps[m]);
@@ -54,7 +54,8 @@ class Receiver {
       const std::uint64_t said = held.table->timestamps[j.value];
       const auto [sends, has] = believed(self_, roster_[k], theirs.winner, ours.winner);
       const bool higher = theirs.winner && beats(theirs.bid, *theirs.winner, ours);
-      const AcbbaAction action = acbba_rule(sends, has, higher, (said > time) - (said < time)).action;
+      const AcbbaAction action =
+          acbba_rule(sends, has, higher, (said > time) - (said < time)).action;
       if (action == AcbbaAction::leave || action == AcbbaAction::refresh) continue;
       const bool was_own = ours.winner == self_;
       ours = action == AcbbaAction::update ? theirs : Belief{};

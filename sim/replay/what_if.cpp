@@ -19,8 +19,7 @@ bool is_in(const std::vector<Uav>& fleet, AgentId agent) {
 void forget_the_absent(WorldSpec& world) {
   const std::vector<Uav>& fleet = world.mission.fleet;
   const auto absent = [&fleet](AgentId agent) { return !is_in(fleet, agent); };
-  std::erase_if(world.faults.agents,
-                [&](const AgentFault& fault) { return absent(fault.agent); });
+  std::erase_if(world.faults.agents, [&](const AgentFault& fault) { return absent(fault.agent); });
   for (Partition& partition : world.faults.partitions)
     for (std::vector<AgentId>& group : partition.groups) std::erase_if(group, absent);
   std::erase_if(world.faults.links, [&](LinkFault& link) {
@@ -34,11 +33,10 @@ void forget_the_absent(WorldSpec& world) {
 /// Whether somebody is there at the end.
 bool anybody_lives(const WorldSpec& world) {
   return std::any_of(world.mission.fleet.begin(), world.mission.fleet.end(), [&](const Uav& uav) {
-    return std::none_of(world.faults.agents.begin(), world.faults.agents.end(),
-                        [&](const AgentFault& fault) {
-                          return fault.agent == uav.id && fault.kind == AgentFaultKind::crash &&
-                                 !fault.for_ns;
-                        });
+    return std::none_of(
+        world.faults.agents.begin(), world.faults.agents.end(), [&](const AgentFault& fault) {
+          return fault.agent == uav.id && fault.kind == AgentFaultKind::crash && !fault.for_ns;
+        });
   });
 }
 
@@ -49,8 +47,8 @@ void leave_out(const OtherRules& rules, std::vector<Uav>& fleet) {
     std::erase_if(fleet, [agent](const Uav& uav) { return uav.id == agent; });
   }
   if (rules.agents && *rules.agents > fleet.size())
-    throw InputError(
-        fmt::format("--agents {}: the run's fleet has {}; legal: 1 to that", *rules.agents, fleet.size()));
+    throw InputError(fmt::format("--agents {}: the run's fleet has {}; legal: 1 to that",
+                                 *rules.agents, fleet.size()));
   if (rules.agents) fleet.resize(*rules.agents);
 }
 

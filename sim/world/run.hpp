@@ -20,15 +20,15 @@ struct WorldResult {
   std::uint64_t steps = 0;       ///< of all agents
   std::uint64_t most_steps = 0;  ///< more are not taken (docs/SIMULATOR.md)
   std::uint64_t messages = 0, bytes = 0;
-  std::uint64_t refused = 0;  ///< messages that were refused, as they had to be
-  TimeNs agreed_ns = 0;       ///< when the last one of the final agreement proved it
-  TimeNs calm_ns = 0;         ///< when the last fault, and what it had delayed, was over
-  TimeNs bound_ns = 0;        ///< agreement must come so long after that
-  double makespan_s = 0;      ///< the slowest agent's closed path
-  double total_length_m = 0;  ///< of all closed paths
+  std::uint64_t refused = 0;    ///< messages that were refused, as they had to be
+  TimeNs agreed_ns = 0;         ///< when the last one of the final agreement proved it
+  TimeNs calm_ns = 0;           ///< when the last fault, and what it had delayed, was over
+  TimeNs bound_ns = 0;          ///< agreement must come so long after that
+  double makespan_s = 0;        ///< the slowest agent's closed path
+  double total_length_m = 0;    ///< of all closed paths
   std::vector<Belief> winners;  ///< of the agreement, an entry for each task; of the largest part
                                 ///< of a fleet that ended in several
-  std::uint64_t digest = 0;   ///< of all that happened, step by step
+  std::uint64_t digest = 0;     ///< of all that happened, step by step
   std::vector<Violation> violations;
 };
 
