@@ -16,11 +16,13 @@ struct Overloaded : F... {
   using F::operator()...;
 };
 
+/// Who has no mission yet asks for it under numbers of its own, which its core uses again.
 std::optional<MessageId> heard_in(const Event& event) {
   return std::visit(Overloaded{[](const Tick&) -> std::optional<MessageId> { return {}; },
                                [](const RoutePublished&) -> std::optional<MessageId> { return {}; },
                                [](const auto& message) -> std::optional<MessageId> {
                                  const Header& h = message.header;
+                                 if (h.mission_digest == 0) return {};
                                  return MessageId{h.sender, h.incarnation, h.sequence};
                                }},
                     event.what);
