@@ -7,11 +7,12 @@ import { bare, made, openPage, useBrowser } from './setup.mjs';
 
 useBrowser();
 
-test('a live run is followed at its end, and left alone elsewhere', async () => {
+test('a live run is followed at its end, and left alone elsewhere', async (t) => {
   const server = await serve(bare, knownAt(made, 0.7));
+  t.after(() => server.close());
   const { page, problems, close } = await openPage(server.url);
   const live = (text) => page.waitForFunction((wanted) => document.getElementById('live').textContent.includes(wanted), text);
-  const until = (t) => page.waitForFunction((end) => window.arcbid.span('auction').to === end, t);
+  const until = (end) => page.waitForFunction((wanted) => window.arcbid.span('auction').to === wanted, end);
   await live('live');
   assert.equal((await state(page)).t, 0.7, 'begins at the end');
 
@@ -26,11 +27,11 @@ test('a live run is followed at its end, and left alone elsewhere', async () => 
   assert.deepEqual(await page.evaluate(() => window.arcbid.find(0)), where, 'the camera stays');
 
   await press(page, '[');
-  const { t } = await state(page);
-  assert.ok(t < 0.85);
+  const place = (await state(page)).t;
+  assert.ok(place < 0.85);
   server.update({ ...made, live: true }, true);
   await until(made.auction.end_s);
-  assert.equal((await state(page)).t, t, 'who looks elsewhere is left alone');
+  assert.equal((await state(page)).t, place, 'who looks elsewhere is left alone');
   await live('ended');
   await press(page, '2');
   assert.equal((await state(page)).track, 'mission');
@@ -38,11 +39,11 @@ test('a live run is followed at its end, and left alone elsewhere', async () => 
   assert.deepEqual(problems, []);
   assert.deepEqual([...new Set(server.paths)].sort(), ['/', '/data', '/updates']);
   await close();
-  await server.close();
 });
 
-test('a lost connection is said', async () => {
+test('a lost connection is said', async (t) => {
   const server = await serve(bare, knownAt(made, 0.7));
+  t.after(() => server.close());
   const { page, close } = await openPage(server.url);
   await page.waitForFunction(() => document.getElementById('live').textContent.includes('live'));
   await server.close();
