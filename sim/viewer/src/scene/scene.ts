@@ -117,7 +117,7 @@ export class SceneView {
       const look = nobody ? nobodysLook(now.dark) : lookOf(this.model!.agentSlot(owner), now.dark);
       // While drones fly, what they have flown stands out.
       const fade = faint ? 0.78 : now.track === 'mission' && !chosen ? 0.55 : 0;
-      const usual = now.track === 'mission' ? 0.75 : nobody ? 0.6 : 1;
+      const usual = now.track === 'mission' ? 0.5 : nobody ? 0.6 : 1;
       pieces.paint(slot, {
         rgb: mixed(look.rgb, background, fade), pattern: look.pattern, hatched, width: chosen ? 2.4 : pointed ? 1.7 : usual,
       });

@@ -61,7 +61,8 @@ void main() {
     float stripe = mod(gl_FragCoord.x + gl_FragCoord.y, 9.0 * uPixel);
     if (stripe < 4.5 * uPixel) colour = uHatch;
   }
-  if (edge && vHalf > 1.6 * uPixel) colour = uCasing;
+  // Thin lines that lie close together would be all casing.
+  if (edge && vHalf > 2.0 * uPixel) colour = uCasing;
   gl_FragColor = vec4(colour, 1.0);
 }
 `;
