@@ -170,7 +170,7 @@ int main(int argc, char** argv) {
     if (run_command->parsed()) return run(arguments);
     if (auction.parsed()) return auction.run();
     if (sim.parsed()) return sim.run();
-    if (replay.parsed()) return replay.run();
+    if (replay.parsed()) return replay.run(programs());
     if (explain.parsed()) return explain.run();
     if (view.parsed()) return view.run(programs());
     if (export_run.parsed()) return export_run.run();

@@ -2,11 +2,14 @@
 #include "sim/commands/replay_command.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <future>
 #include <thread>
 
 #include "core/io/build/build.hpp"
+#include "sim/commands/replay_terminal.hpp"
 #include "sim/replay/verify.hpp"
 
 namespace arcbid {
@@ -35,13 +38,82 @@ std::string how_it_ended(const LifeLog& life) {
 ReplayCommand::ReplayCommand(CLI::App& app)
     : command_(app.add_subcommand("replay", "play a run's logs again")) {
   command_->add_option("run", run_, "run directory")->required()->check(CLI::ExistingDirectory);
-  command_->add_flag("--verify", verify_,
-                     "feed every agent's state machine its logged inputs and demand the same "
-                     "decisions, bit for bit");
+  CLI::Option* verify =
+      command_->add_flag("--verify", verify_,
+                         "feed every agent's state machine its logged inputs and demand the same "
+                         "decisions, bit for bit");
+  CLI::Option* dds = command_->add_flag(
+      "--dds", dds_, "say it all again over DDS, on loopback, for any tool that listens");
+  dds->excludes(verify);
+  command_->add_option("--domain", domain_, "DDS domain for --dds (default: one that nobody uses)")
+      ->needs(dds)
+      ->check(CLI::Range(0, 231));
+  add_playing();
 }
 
-Exit ReplayCommand::run() const {
-  return verify_all();
+void ReplayCommand::add_playing() {
+  command_->add_option("--from", from_, "seconds since launch, round:N, or event:NAME");
+  command_->add_option("--until", until_, "likewise: where it ends");
+  command_->add_option("--rate", rate_, "times real time; 0: as fast as possible (default: 1)")
+      ->check(CLI::Range(0.0, 1e6));
+  command_->add_option("--agent", agent_, "show what this agent did only");
+  command_->add_option("--arc", arc_, "show what is about this arc only");
+  command_->add_option("--topic", topic_, "show steps of this kind only")
+      ->check(CLI::IsMember(std::vector<std::string>(topic_names.begin(), topic_names.end())));
+  command_->add_flag("--loop", loop_, "begin again at the end (on a terminal)");
+  command_
+      ->add_option("--step", step_,
+                   "how many shown moments a key moves; without a terminal: how many are shown")
+      ->check(CLI::Range(1, 1'000'000));
+}
+
+Exit ReplayCommand::run(const std::filesystem::path& programs) const {
+  if (verify_) return verify_all();
+  return dds_ ? publish(programs) : play();
+}
+
+Exit ReplayCommand::play() const {
+  const RunArchive run = open_run(run_);
+  for (const std::string& problem : run.unreadable) fmt::print("left out: {}\n", problem);
+  MomentFilter filter;
+  const std::vector<Uav>& fleet = run.mission->fleet;
+  if (agent_ && std::none_of(fleet.begin(), fleet.end(),
+                             [this](const Uav& uav) { return uav.id == AgentId{*agent_}; }))
+    throw InputError(fmt::format("--agent {}: is not of the fleet of {}", *agent_, run_));
+  if (arc_ && *arc_ >= run.mission->arcs.size())
+    throw InputError(
+        fmt::format("--arc {}: {} has arcs 0 to {}", *arc_, run_, run.mission->arcs.size() - 1));
+  if (agent_) filter.agent = AgentId{*agent_};
+  if (arc_) filter.arc = ArcId{*arc_};
+  const auto topic = std::find(topic_names.begin(), topic_names.end(), topic_);
+  if (!topic_.empty()) filter.topic = static_cast<Topic>(topic - topic_names.begin());
+  const Playback playback(run);
+  Player player(run, playback, filter);
+  if (!until_.empty()) player.set_until(until_);
+  if (!from_.empty()) player.seek(from_);
+  player.set_begin();
+  player.set_rate(rate_.value_or(1));
+  player.set_loop(loop_);
+  if (isatty(STDOUT_FILENO) != 0)
+    play_on_terminal(run, playback, player, std::max(step_, 1));
+  else if (loop_)
+    throw InputError("--loop: has no end without a terminal");
+  else
+    play_plainly(run, playback, player, step_);
+  return Exit::done;
+}
+
+/// It is another program: this one speaks no DDS.
+Exit ReplayCommand::publish(const std::filesystem::path& programs) const {
+  const std::string program = programs / "arcbid-replayer";
+  std::vector<std::string> line{program, run_};
+  if (domain_) line.insert(line.end(), {"--domain", std::to_string(*domain_)});
+  if (rate_) line.insert(line.end(), {"--rate", fmt::to_string(*rate_)});
+  std::vector<char*> arguments;
+  for (std::string& argument : line) arguments.push_back(argument.data());
+  arguments.push_back(nullptr);
+  execv(program.c_str(), arguments.data());
+  throw RunError(fmt::format("{}: cannot be started", program));
 }
 
 /// The first to diverge, in time, is the one that is named last, where it is read.

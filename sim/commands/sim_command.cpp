@@ -4,13 +4,13 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <charconv>
 #include <fstream>
 #include <optional>
 #include <thread>
 
 #include "core/io/faults/fault_files.hpp"
 #include "core/io/process/process.hpp"
+#include "sim/commands/choices.hpp"
 #include "sim/commands/summary.hpp"
 #include "sim/world/batch.hpp"
 #include "sim/world/live_run.hpp"
@@ -22,37 +22,6 @@ namespace arcbid {
 namespace {
 
 constexpr std::size_t most_shown = 20;  // violations in full
-
-struct Seeds {
-  std::uint64_t first = 1, last = 1;
-};
-
-/// "7" or "1..1000".
-Seeds seeds_of(const std::string& text) {
-  const auto wrong = [&] {
-    return InputError(
-        fmt::format("--seeds {}: is not a seed or FIRST..LAST, such as 1..1000", text));
-  };
-  const auto number = [&](std::string_view part) {
-    std::uint64_t value = 0;
-    const auto [stop, error] = std::from_chars(part.data(), part.data() + part.size(), value);
-    if (error != std::errc() || stop != part.data() + part.size()) throw wrong();
-    return value;
-  };
-  const std::size_t dots = text.find("..");
-  if (dots == std::string::npos) return {number(text), number(text)};
-  const Seeds seeds{number(std::string_view(text).substr(0, dots)),
-                    number(std::string_view(text).substr(dots + 2))};
-  if (seeds.last < seeds.first) throw wrong();
-  return seeds;
-}
-
-template <class E, std::size_t n>
-E by_name(const std::array<std::string_view, n>& names, const std::string& name) {
-  for (std::size_t i = 0; i < n; ++i)
-    if (names[i] == name) return static_cast<E>(i);
-  throw InputError(fmt::format("{} is not one of {}", name, fmt::join(names, ", ")));
-}
 
 }  // namespace
 
