@@ -8,11 +8,13 @@
 #include "core/io/process/command_line.hpp"
 #include "sim/auction/command.hpp"
 #include "sim/checker/checker.hpp"
+#include "sim/commands/diff_command.hpp"
 #include "sim/commands/explain_command.hpp"
 #include "sim/commands/export_command.hpp"
 #include "sim/commands/replay_command.hpp"
 #include "sim/commands/sim_command.hpp"
 #include "sim/commands/view_command.hpp"
+#include "sim/commands/whatif_command.hpp"
 #include "sim/launcher/launch.hpp"
 #include "sim/picture/picture.hpp"
 #include "sim/view/server.hpp"
@@ -162,6 +164,8 @@ int main(int argc, char** argv) {
   const SimCommand sim(app);
   const ReplayCommand replay(app);
   const ExplainCommand explain(app);
+  const DiffCommand diff(app);
+  const WhatIfCommand what_if(app);
   const ViewCommand view(app);
   const ExportCommand export_run(app);
   CLI::App* reference_command =
@@ -172,6 +176,8 @@ int main(int argc, char** argv) {
     if (sim.parsed()) return sim.run();
     if (replay.parsed()) return replay.run(programs());
     if (explain.parsed()) return explain.run();
+    if (diff.parsed()) return diff.run();
+    if (what_if.parsed()) return what_if.run();
     if (view.parsed()) return view.run(programs());
     if (export_run.parsed()) return export_run.run();
     if (check_command->parsed()) return check_again(directory);

@@ -40,9 +40,7 @@ void print_owners(const RunDiff& found, const OpenRun& a, const OpenRun& b) {
 DiffCommand::DiffCommand(CLI::App& app)
     : command_(app.add_subcommand(
           "diff", "where two runs part, and what it cost (exit code 0: the same allocation)")) {
-  command_->add_option("first", first_, "run directory")
-      ->required()
-      ->check(CLI::ExistingDirectory);
+  command_->add_option("first", first_, "run directory")->required()->check(CLI::ExistingDirectory);
   command_->add_option("second", second_, "run directory")
       ->required()
       ->check(CLI::ExistingDirectory);

@@ -12,8 +12,7 @@ namespace {
 using nlohmann::json;
 
 /// Leaves that differ, by their names; lists as a whole.
-void compare(const json& a, const json& b, const std::string& name,
-             std::vector<std::string>& out) {
+void compare(const json& a, const json& b, const std::string& name, std::vector<std::string>& out) {
   if (a == b) return;
   if (a.is_object() && b.is_object()) {
     for (const auto& [key, value] : a.items())

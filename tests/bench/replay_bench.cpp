@@ -49,11 +49,11 @@ void measure_seeks(const Playback& playback) {
   for (int n = 0; n < 100; ++n) {
     const std::size_t moments = dice.below(playback.moments().size());
     took_ms.push_back(1e3 * seconds_of([&] {
-      const auto states = playback.agents(moments);
-      playback.owners(moments);
-      for (const Playback::AgentState& state : states)
-        if (state.life) playback.beliefs(*state.life, state.steps);
-    }));
+                        const auto states = playback.agents(moments);
+                        playback.owners(moments);
+                        for (const Playback::AgentState& state : states)
+                          if (state.life) playback.beliefs(*state.life, state.steps);
+                      }));
   }
   std::sort(took_ms.begin(), took_ms.end());
   fmt::print("seek          median {:.2f} ms, worst {:.2f} ms of {}\n", took_ms[took_ms.size() / 2],
