@@ -97,14 +97,17 @@ std::vector<std::string> differently_informed(const Side& a, const RunIndex::Dec
 /// The statement in force at the nth change on each side, until one is not like the other.
 std::optional<RunDiff::Parting> parting(const Side& a, const Side& b) {
   const AgentId agent = a.log().agent();
-  for (std::size_t n = 0; n < std::max(a.decisions().size(), b.decisions().size()); ++n) {
-    if (n >= a.decisions().size() || n >= b.decisions().size()) return std::nullopt;
-    const RunIndex::Decision &first = a.decisions()[n], &second = b.decisions()[n];
+  const auto &in_a = a.decisions(), &in_b = b.decisions();
+  if (in_a.empty() || in_b.empty()) return std::nullopt;
+  for (std::size_t n = 0; n < std::max(in_a.size(), in_b.size()); ++n) {
+    // Whoever made no such decision stays with its last one.
+    const RunIndex::Decision &first = in_a[std::min(n, in_a.size() - 1)],
+                             &second = in_b[std::min(n, in_b.size() - 1)];
     const auto *said = a.body(agent, first.key), *said_b = b.body(agent, second.key);
-    if (!said || !said_b || (*said == *said_b && first.round == second.round)) continue;
+    if (!said || !said_b || *said == *said_b) continue;
     RunDiff::Parting out;
     out.agent = agent;
-    out.round = std::min(first.round, second.round);
+    out.round = n < in_a.size() ? first.round : second.round;
     out.t_ns = {a.log().marks()[first.mark].t_ns, b.log().marks()[second.mark].t_ns};
     const auto bids = bids_in(*said, agent), bids_b = bids_in(*said_b, agent);
     for (const auto* claims : {&bids, &bids_b})

@@ -12,6 +12,7 @@ namespace {
 /// the steps that sent them.
 struct Sent {
   std::size_t life = 0;
+  std::uint64_t incarnation = 0;
   std::vector<std::pair<std::uint64_t, std::size_t>> steps;  // (first number, mark), ascending
 };
 
@@ -19,12 +20,15 @@ class Merge {
  public:
   explicit Merge(const RunArchive& run) : run_(run), next_(run.lives.size(), 0) {
     for (std::size_t l = 0; l < run.lives.size(); ++l) {
-      Sent sent{l, {}};
+      Sent sent{l, run.lives[l].incarnation(), {}};
       const auto& marks = run.lives[l].marks();
       for (std::size_t m = 0; m < marks.size(); ++m)
         if (marks[m].sent > 0) sent.steps.emplace_back(marks[m].first_sent, m);
       senders_[run.lives[l].agent()].push_back(std::move(sent));
     }
+    for (auto& [agent, sent] : senders_)
+      std::stable_sort(sent.begin(), sent.end(),
+                       [](const Sent& a, const Sent& b) { return a.incarnation < b.incarnation; });
   }
 
   std::vector<Moment> ordered() {
@@ -45,24 +49,17 @@ class Merge {
     if (!mark.heard) return {};
     const auto of = senders_.find(mark.heard->sender);
     if (of == senders_.end()) return {};
-    for (const Sent& sent : of->second) {
-      if (!spoke(sent.life, *mark.heard)) continue;
-      const auto after = std::upper_bound(
-          sent.steps.begin(), sent.steps.end(), mark.heard->sequence,
-          [](std::uint64_t number, const auto& step) { return number < step.first; });
-      if (after != sent.steps.begin()) return std::pair(sent.life, std::prev(after)->second);
-    }
-    return {};
-  }
-  /// A life begins with its birth's incarnation and may go on under higher ones.
-  bool spoke(std::size_t life, const MessageId& message) const {
-    const LifeLog& log = run_.lives[life];
-    if (message.incarnation < log.incarnation()) return false;
-    for (const LifeLog& later : run_.lives)
-      if (later.agent() == log.agent() && later.incarnation() > log.incarnation() &&
-          later.incarnation() <= message.incarnation)
-        return false;
-    return true;
+    // A life begins with its birth's incarnation and may go on under higher ones.
+    const auto later = std::upper_bound(
+        of->second.begin(), of->second.end(), mark.heard->incarnation,
+        [](std::uint64_t incarnation, const Sent& sent) { return incarnation < sent.incarnation; });
+    if (later == of->second.begin()) return {};
+    const Sent& sent = *std::prev(later);
+    const auto after = std::upper_bound(
+        sent.steps.begin(), sent.steps.end(), mark.heard->sequence,
+        [](std::uint64_t number, const auto& step) { return number < step.first; });
+    if (after == sent.steps.begin()) return {};
+    return std::pair(sent.life, std::prev(after)->second);
   }
   void offer(std::size_t life) {
     const auto& marks = run_.lives[life].marks();

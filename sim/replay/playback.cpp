@@ -29,11 +29,13 @@ Playback::Playback(const RunArchive& run)
       moments_(causal_order(run)),
       turns_(run.mission->fleet.size()),
       when_(run.lives.size()) {
+  for (const LifeLog& life : run.lives)
+    position_.push_back(fleet_position(*run.mission, life.agent()));
   for (std::size_t m = 0; m < moments_.size(); ++m) note(m);
   // A life is over with its last step: it ended by itself, or was not heard of again.
   for (std::size_t l = 0; l < run.lives.size(); ++l) {
     if (when_[l].empty()) continue;
-    auto& turns = turns_[fleet_position(*run.mission, run.lives[l].agent())];
+    auto& turns = turns_[position_[l]];
     if (turns.back().state.life != l) continue;
     AgentState state = turns.back().state;
     state.steps = run.lives[l].marks().size();
@@ -47,7 +49,7 @@ void Playback::note(std::size_t moment) {
   const LifeLog& log = run_.lives[life];
   const Mark& mark = log.marks()[at];
   when_[life].push_back(moment);
-  auto& turns = turns_[fleet_position(*run_.mission, log.agent())];
+  auto& turns = turns_[position_[life]];
   AgentState now = turns.empty() ? AgentState{} : turns.back().state;
   const AgentState before = now;
   if (now.life != life) now = {State::waiting, life, 0, 0};
@@ -123,7 +125,7 @@ View Playback::view(std::size_t life, std::size_t steps) const {
 std::vector<Belief> Playback::beliefs(std::size_t life, std::size_t steps) const {
   const std::size_t tasks = run_.tasks.tasks.size();
   if (states_claims(run_.mission->auction.policy)) return best_claims(view(life, steps), tasks);
-  const std::size_t self = fleet_position(*run_.mission, run_.lives[life].agent());
+  const std::size_t self = position_[life];
   const auto own = newest(life, self, steps);
   if (!own) return std::vector<Belief>(tasks);
   const Statement said = statement(life, self, *own);

@@ -48,6 +48,7 @@ class Playback {
   const RunArchive& run_;
   std::vector<Moment> moments_;
   std::vector<std::vector<Turn>> turns_;        // by fleet position: when its state changed
+  std::vector<std::size_t> position_;           // in the fleet, by life
   std::vector<std::vector<std::size_t>> when_;  // by life, then step: its moment
 };
 
