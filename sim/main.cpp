@@ -10,6 +10,7 @@
 #include "sim/checker/checker.hpp"
 #include "sim/commands/diff_command.hpp"
 #include "sim/commands/explain_command.hpp"
+#include "sim/commands/doctor_command.hpp"
 #include "sim/commands/export_command.hpp"
 #include "sim/commands/replay_command.hpp"
 #include "sim/commands/sim_command.hpp"
@@ -168,6 +169,7 @@ int main(int argc, char** argv) {
   const WhatIfCommand what_if(app);
   const ViewCommand view(app);
   const ExportCommand export_run(app);
+  const DoctorCommand doctor(app);
   CLI::App* reference_command =
       app.add_subcommand("config-reference", "print every key of a config, its range and default");
   return run_command_line(app, argc, argv, [&] {
@@ -180,6 +182,7 @@ int main(int argc, char** argv) {
     if (what_if.parsed()) return what_if.run();
     if (view.parsed()) return view.run(programs());
     if (export_run.parsed()) return export_run.run();
+    if (doctor.parsed()) return doctor.run();
     if (check_command->parsed()) return check_again(directory);
     if (picture_command->parsed()) fmt::print("{}", draw_routes(directory));
     if (reference_command->parsed()) fmt::print("{}", config_reference());

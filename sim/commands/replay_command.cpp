@@ -28,7 +28,9 @@ std::vector<LifeVerdict> verdicts(const RunArchive& run) {
 }
 
 std::string how_it_ended(const LifeLog& life) {
-  if (life.damage()) return fmt::format("damaged: {}", *life.damage());
+  if (life.damage())
+    return fmt::format("damaged, {} steps behind that are not replayed: {}",
+                       life.marks().size() - *life.gap(), *life.damage());
   return life.ended_by().empty() ? "killed: its log ends without a word"
                                  : fmt::format("ended by {}", life.ended_by());
 }

@@ -49,11 +49,7 @@ Record decoded(const RunLogReader::Record& record, const std::filesystem::path& 
 LifeLog::LifeLog(const std::filesystem::path& file)
     : reader_(std::make_unique<RunLogReader>(file)) {
   read_head();
-  try {
-    index();
-  } catch (const InputError& error) {
-    damage_ = error.what();
-  }
+  index();
 }
 
 void LifeLog::read_head() {
@@ -70,33 +66,49 @@ void LifeLog::read_head() {
   if (build.is_object())
     build_ = fmt::format("{} {}", build.value("version", "?"), build.value("commit", ""));
   for (const RecordKind& kind : reader_->kinds())
-    if (kind.name == log_kind::step && kind.schema != schema_of<Step>())
+    if (kind.name == log_kind::step && !kind.schema.empty() && kind.schema != schema_of<Step>())
       throw InputError(
           fmt::format("{}: its steps have another schema than this build's: written by arcbid {}",
                       file().string(), build_));
 }
 
 void LifeLog::index() {
-  reader_->read([this](const RunLogReader::Record& record) {
-    take(record);
-    last_ns_ = record.t_ns;
-    return true;
-  });
+  reader_->read_intact(
+      [this](const RunLogReader::Record& record) {
+        try {
+          take(record);
+          last_ns_ = record.t_ns;
+        } catch (const InputError& error) {
+          lost({record.seq, record.seq, error.what()});
+        }
+        return true;
+      },
+      [this](const RunLogReader::Lost& what) { lost(what); });
+  // A mission that is damaged may well be one still, but not the one that the agent spoke of.
+  if (names_another_ && !names_mission_) throw InputError(*damage_);
+}
+
+void LifeLog::lost(const RunLogReader::Lost& lost) {
+  if (damage_) return;
+  damage_ = fmt::format("{}: records from {} on: {}", file().string(), lost.from_seq, lost.why);
+  gap_ = marks_.size();
 }
 
 void LifeLog::take(const RunLogReader::Record& record) {
   if (record.kind == log_kind::step) {
-    if (!birth_) throw InputError(fmt::format("{}: a step before its birth", file().string()));
+    if (!birth_ || !mission_)
+      throw InputError(fmt::format("{}: a step before its birth", file().string()));
     mark(record, decoded<Step>(record, file()));
   } else if (record.kind == log_kind::mission) {
     mission_ = std::make_shared<const Mission>(decoded<Mission>(record, file()));
+    mission_digest_ = digest(*mission_);
     born_ns_ = record.t_ns;
     learnt_.resize(mission_->fleet.size());
   } else if (record.kind == log_kind::birth) {
     birth_ = decoded<Birth>(record, file());
   } else if (record.kind == log_kind::end) {
     const auto body = nlohmann::json::parse(record.body, nullptr, false);
-    if (body.is_object()) ended_by_ = body.value("by", "");
+    if (body.is_object() && body.contains("by") && body["by"].is_string()) ended_by_ = body["by"];
   }
 }
 
@@ -125,9 +137,11 @@ void LifeLog::mark(const RunLogReader::Record& record, const Step& step) {
   mark.heard = heard_in(step.event);
   mark.sent = update.bids.size() + update.relays.size() + update.statuses.size();
   mark.first_sent = UINT64_MAX;
-  const auto note = [&mark](const auto& messages) {
-    for (const auto& message : messages)
+  const auto note = [&](const auto& messages) {
+    for (const auto& message : messages) {
       mark.first_sent = std::min(mark.first_sent, message.header.sequence);
+      expect_mission(message.header.mission_digest);
+    }
   };
   note(update.bids), note(update.relays), note(update.statuses);
   marks_.push_back(mark);
@@ -136,6 +150,13 @@ void LifeLog::mark(const RunLogReader::Record& record, const Step& step) {
   for (const AgentId dead : update.died) bury(dead);
   if (update.decision) learn({agent_, update.decision->key, update.decision->body}, true);
   for (const BidMessage& bid : update.bids) learn(bid.statement, true);
+}
+
+void LifeLog::expect_mission(std::uint64_t named) {
+  (named == mission_digest_ ? names_mission_ : names_another_) = true;
+  if (named != mission_digest_)
+    throw InputError(fmt::format("{}: its messages name mission {:016x}, its record holds {:016x}",
+                                 file().string(), named, mission_digest_));
 }
 
 /// As View::merge does: what is newer is held.
@@ -176,24 +197,33 @@ void LifeLog::steps(
     std::size_t from) const {
   if (from >= marks_.size()) return;
   std::size_t at = from;
-  reader_->read(
+  reader_->read_intact(
       [&](const RunLogReader::Record& record) {
-        if (record.kind != log_kind::step) return true;
-        const bool more = take(at++, decoded<Step>(record, file()), record.body);
-        return more && at < marks_.size();
+        if (record.seq != marks_[at].seq) return true;
+        const std::size_t mark = at++;
+        return take(mark, decoded<Step>(record, file()), record.body) && at < marks_.size();
       },
-      marks_[from].seq);
+      [](const RunLogReader::Lost&) {}, marks_[from].seq);
 }
 
 std::vector<PlannedRoute> LifeLog::routes() const {
   std::vector<PlannedRoute> out;
-  const std::int64_t last = marks_.empty() ? 0 : marks_.back().seq;
-  reader_->read(
-      [&](const RunLogReader::Record& record) {
-        out.push_back(decoded<PlannedRoute>(record, file()));
-        return record.seq < last || !damage_;
-      },
-      0, log_kind::route);
+  const auto take = [&](const RunLogReader::Record& record) {
+    if (record.kind == log_kind::route) out.push_back(decoded<PlannedRoute>(record, file()));
+    return true;
+  };
+  if (!damage_) {
+    reader_->read(take, 0, log_kind::route);
+    return out;
+  }
+  const auto take_if_whole = [&](const RunLogReader::Record& record) {
+    try {
+      return take(record);
+    } catch (const InputError&) {
+      return true;
+    }
+  };
+  reader_->read_intact(take_if_whole, [](const RunLogReader::Lost&) {});
   return out;
 }
 

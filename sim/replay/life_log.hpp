@@ -43,7 +43,7 @@ struct Learnt {
 
 /// One life of one agent, as its log has it. Opening reads everything once; contents are read again
 /// when they are asked for. A log whose end is missing or whose pages are damaged gives what is
-/// intact before the damage; the rest is named in `damage`.
+/// intact, before the damage and behind it.
 class LifeLog {
  public:
   /// Throws InputError: one line with the file's name.
@@ -61,7 +61,10 @@ class LifeLog {
   TimeNs born_ns() const { return born_ns_; }  ///< when it had the mission
   TimeNs last_ns() const { return last_ns_; }
   const std::string& ended_by() const { return ended_by_; }  ///< empty: it did not come to say so
-  const std::optional<std::string>& damage() const { return damage_; }
+  const std::optional<std::string>& damage() const { return damage_; }  ///< the first
+  /// How many marks lie before the first damage. Those behind it are on record, but what led to
+  /// them is not: good for a view, not for a proof.
+  std::optional<std::size_t> gap() const { return gap_; }
 
   const std::vector<Mark>& marks() const { return marks_; }
   /// By roster position: what it came to hold of each member, in order.
@@ -78,8 +81,10 @@ class LifeLog {
  private:
   void read_head();
   void index();
+  void lost(const RunLogReader::Lost& lost);
   void take(const RunLogReader::Record& record);
   void mark(const RunLogReader::Record& record, const Step& step);
+  void expect_mission(std::uint64_t named);
   void learn(const Statement& statement, bool is_own);
   void bury(AgentId agent);
   std::size_t position(AgentId agent) const;
@@ -90,8 +95,11 @@ class LifeLog {
   std::string build_, ended_by_;
   std::shared_ptr<const Mission> mission_;
   std::optional<Birth> birth_;
+  std::uint64_t mission_digest_ = 0;
+  bool names_mission_ = false, names_another_ = false;  // in messages sent
   TimeNs born_ns_ = 0, last_ns_ = 0;
   std::optional<std::string> damage_;
+  std::optional<std::size_t> gap_;
   std::vector<Mark> marks_;
   std::vector<std::vector<Learnt>> learnt_;
   std::uint32_t round_ = 0;

@@ -37,7 +37,7 @@ struct Opened {
 Opened opened(const Path& file) {
   try {
     LifeLog life(file);
-    if (life.birth()) return {std::move(life), ""};
+    if (life.birth() && life.mission()) return {std::move(life), ""};
     return {std::nullopt, life.damage() ? *life.damage()
                                         : fmt::format("{}: this life never had the mission",
                                                       file.filename().string())};

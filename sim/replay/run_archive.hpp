@@ -19,7 +19,7 @@ struct RunArchive {
   std::vector<LifeLog> lives;  ///< of those that had the mission, by agent, then incarnation
   std::vector<std::string> unreadable;  ///< one line for each log that could not be opened, or
                                         ///< whose life never had the mission
-  nlohmann::json result;  ///< result.json; null when the run did not come to write it
+  nlohmann::json result;                ///< result.json; null when the run did not come to write it
 };
 
 /// Opens the logs, several at a time. Throws InputError when no log has a mission, or when they

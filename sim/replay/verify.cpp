@@ -127,7 +127,10 @@ LifeVerdict verify(const LifeLog& life) {
   Agent agent(life.birth()->agent, life.birth()->incarnation, life.mission(), transit,
               life.birth()->now_ns);
   RouteVerifier routes(life, agent.tasks());
+  const std::size_t whole = life.gap().value_or(life.marks().size());
+  verdict.beyond_proof = life.marks().size() - whole;
   life.steps([&](std::size_t at, Step logged, std::string_view bytes) {
+    if (at >= whole) return false;
     Step replayed{std::move(logged.event), {}};
     replayed.update = agent.step(replayed.event);
     if (encode(replayed) != bytes) {

@@ -20,14 +20,15 @@ struct Divergence {
 };
 
 struct LifeVerdict {
-  std::size_t steps = 0;   ///< replayed with the same outcome, bit for bit
-  std::size_t routes = 0;  ///< likewise
+  std::size_t steps = 0;         ///< replayed with the same outcome, bit for bit
+  std::size_t routes = 0;        ///< likewise
+  std::size_t beyond_proof = 0;  ///< steps behind a gap in the log: on record, but not replayed
   std::optional<Divergence> divergence;
 };
 
 /// Feeds the agent's state machine what its log says it consumed, and demands what it says it
 /// produced: decisions, bundles, paths, y, z, messages, proofs, and the tours planned from them. A
-/// log that ends early or is damaged is held to what is on record.
+/// log that ends early or is damaged is held to what is on record before the damage.
 LifeVerdict verify(const LifeLog& life);
 
 /// One line: agent, round, arc, both values.

@@ -51,7 +51,7 @@ TEST_F(RunLogReaderTest, ReadsRecordsInTheirOrderBytesAsTheyWere) {
                    std::string(record.kind) + " " + std::string(record.body));
     return true;
   });
-  EXPECT_THAT(seen, ElementsAre("1 10 lost {\"n\":1}", std::string("2 20 step \0\1\0\0\7", 16),
+  EXPECT_THAT(seen, ElementsAre("1 10 lost {\"n\":1}", std::string("2 20 step \0\1\0\0\7", 15),
                                 "3 30 lost {\"n\":2}"));
 }
 

@@ -31,6 +31,7 @@ struct RunLog::Impl {
     TimeNs at_ns;
     int kind;
     std::string bytes;
+    std::optional<std::int64_t> seq = std::nullopt;  // none: the next one
   };
   std::string file;
   Database db;
@@ -78,6 +79,10 @@ struct RunLog::Impl {
     for (const Kept& record : kept) {
       sqlite3_bind_int64(insert.get(), 1, record.at_ns);
       sqlite3_bind_int(insert.get(), 2, record.kind);
+      if (record.seq)
+        sqlite3_bind_int64(insert.get(), 4, *record.seq);
+      else
+        sqlite3_bind_null(insert.get(), 4);
       sqlite3_bind_blob64(insert.get(), 3, record.bytes.data(), record.bytes.size(), SQLITE_STATIC);
       execute(insert.get());
     }
@@ -96,7 +101,7 @@ RunLog::RunLog(const std::filesystem::path& file) : impl_(std::make_unique<Impl>
   impl_->db.reset(db);
   if (opened != SQLITE_OK) throw InputError(impl_->what_failed("open"));
   impl_->run(layout);
-  impl_->insert = impl_->prepare("INSERT INTO events(t_ns, kind, body) VALUES(?, ?, ?)");
+  impl_->insert = impl_->prepare("INSERT INTO events(t_ns, kind, body, seq) VALUES(?, ?, ?, ?)");
   impl_->insert_meta = impl_->prepare("INSERT OR REPLACE INTO meta(key, value) VALUES(?, ?)");
   impl_->insert_kind = impl_->prepare("INSERT OR REPLACE INTO kinds VALUES(?, ?, ?, ?)");
 }
@@ -122,6 +127,10 @@ int RunLog::kind(const RecordKind& kind) {
 
 void RunLog::append(TimeNs now_ns, int kind, std::string bytes) {
   impl_->kept.push_back({now_ns, kind, std::move(bytes)});
+}
+
+void RunLog::append_as(std::int64_t seq, TimeNs now_ns, int kind, std::string bytes) {
+  impl_->kept.push_back({now_ns, kind, std::move(bytes), seq});
 }
 
 void RunLog::append(TimeNs now_ns, std::string_view name, const nlohmann::json& body) {

@@ -40,6 +40,8 @@ class RunLog {
   int kind(const RecordKind& kind);
   void append(TimeNs now_ns, int kind, std::string bytes);
   void append(TimeNs now_ns, std::string_view kind, const nlohmann::json& body);
+  /// Under a number of its own, above all before it: to copy a log that has gaps.
+  void append_as(std::int64_t seq, TimeNs now_ns, int kind, std::string bytes);
   /// Makes everything so far survive: after results, and before waiting.
   void commit();
   /// Commits what has been kept for long enough.

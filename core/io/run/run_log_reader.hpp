@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -24,8 +25,11 @@ class RunLogReader {
   RunLogReader(RunLogReader&&) noexcept;
 
   const std::filesystem::path& file() const;
-  /// Null where the log does not say.
+  /// Null where the log does not say, or that part of it is damaged.
   nlohmann::json meta(std::string_view key) const;
+  /// All that it says, by key.
+  std::map<std::string, nlohmann::json> meta() const;
+  /// In the order in which they came up. A schema that is damaged is empty.
   const std::vector<RecordKind>& kinds() const;
 
   struct Record {
@@ -38,6 +42,19 @@ class RunLogReader {
   /// from `from_seq` on, until `take` returns false.
   void read(const std::function<bool(const Record&)>& take, std::int64_t from_seq = 0,
             std::string_view kind = {}) const;
+
+  /// Records that cannot be read.
+  struct Lost {
+    std::int64_t from_seq = 0;
+    std::optional<std::int64_t> to_seq;  ///< none: all from there on, nobody knows how many
+    std::string why;
+  };
+  /// As read(), but goes on behind what is damaged: `lost` hears of that in its place. Numbers have
+  /// no gaps in a sound log.
+  void read_intact(const std::function<bool(const Record&)>& take,
+                   const std::function<void(const Lost&)>& lost, std::int64_t from_seq = 1) const;
+  /// What SQLite's own quick check complains of, a line each; at most a few.
+  std::vector<std::string> complaints() const;
 
   struct Found {
     TimeNs t_ns = 0;
