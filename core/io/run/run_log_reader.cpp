@@ -116,6 +116,8 @@ RunLogReader::RunLogReader(const std::filesystem::path& file) : impl_(std::make_
   if (!is_lost && schema != RunLog::schema)
     impl_->refuse(fmt::format("its schema is {}, this arcbid reads {}", schema.dump(),
                               static_cast<int>(RunLog::schema)));
+  // Logs are only ever appended to: pages are read where they are, instead of one call each.
+  sqlite3_exec(db, "PRAGMA mmap_size = 4294967296", nullptr, nullptr, nullptr);
   impl_->read_kinds();
 }
 
