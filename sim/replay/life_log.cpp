@@ -34,14 +34,22 @@ const Statement* statement_in(const Event& event) {
   return nullptr;
 }
 
-template <class Record>
-Record decoded(const RunLogReader::Record& record, const std::filesystem::path& file) {
+/// Calls `decodes`; what it throws then names the record.
+void named(const RunLogReader::Record& record, const std::filesystem::path& file,
+           const std::function<void()>& decodes) {
   try {
-    return decode<Record>(record.body);
+    decodes();
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: record {} ({}): {}", file.string(), record.seq, record.kind,
                                  error.what()));
   }
+}
+
+template <class Record>
+Record decoded(const RunLogReader::Record& record, const std::filesystem::path& file) {
+  Record out;
+  named(record, file, [&] { out = decode<Record>(record.body); });
+  return out;
 }
 
 }  // namespace
@@ -73,10 +81,11 @@ void LifeLog::read_head() {
 }
 
 void LifeLog::index() {
+  Step room;
   reader_->read_intact(
-      [this](const RunLogReader::Record& record) {
+      [&](const RunLogReader::Record& record) {
         try {
-          take(record);
+          take(record, room);
           last_ns_ = record.t_ns;
         } catch (const InputError& error) {
           lost({record.seq, record.seq, error.what()});
@@ -94,11 +103,12 @@ void LifeLog::lost(const RunLogReader::Lost& lost) {
   gap_ = marks_.size();
 }
 
-void LifeLog::take(const RunLogReader::Record& record) {
+void LifeLog::take(const RunLogReader::Record& record, Step& room) {
   if (record.kind == log_kind::step) {
     if (!birth_ || !mission_)
       throw InputError(fmt::format("{}: a step before its birth", file().string()));
-    mark(record, decoded<Step>(record, file()));
+    named(record, file(), [&] { decode_into(room, record.body); });
+    mark(record, room);
   } else if (record.kind == log_kind::mission) {
     mission_ = std::make_shared<const Mission>(decoded<Mission>(record, file()));
     mission_digest_ = digest(*mission_);

@@ -82,7 +82,7 @@ class LifeLog {
   void read_head();
   void index();
   void lost(const RunLogReader::Lost& lost);
-  void take(const RunLogReader::Record& record);
+  void take(const RunLogReader::Record& record, Step& room);
   void mark(const RunLogReader::Record& record, const Step& step);
   void expect_mission(std::uint64_t named);
   void learn(const Statement& statement, bool is_own);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <ctime>
 #include <filesystem>
 
 #include "sim/replay/playback.hpp"
@@ -70,11 +71,14 @@ int main(int argc, char** argv) {
              static_cast<double>(bytes_of(folder.path() / "logs")) * 1e-6);
   std::optional<RunArchive> run;
   std::optional<Playback> playback;
+  const std::clock_t before = std::clock();
   const double opened_s = seconds_of([&] { run = open_run(folder.path()); });
   const double ordered_s = seconds_of([&] { playback.emplace(*run); });
   fmt::print("open          {:.2f} s: {:.2f} s for {} logs, {:.2f} s for the order of {} events\n",
              opened_s + ordered_s, opened_s, run->lives.size(), ordered_s,
              playback->moments().size());
+  fmt::print("              {:.2f} s of processor time\n",
+             static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC);
   measure_seeks(*playback);
   std::size_t steps = 0;
   const double verified_s = seconds_of([&] {

@@ -86,10 +86,13 @@ class CdrReader {
     field_ = names[0];
     int found = 0;
     const auto try_one = [&]<class T>(std::type_identity<T>) {
-      std::optional<T> value;
-      get(value);
-      if (!value) return;
-      chosen = std::move(*value);
+      std::uint32_t count = 0;
+      cdr_ >> count;
+      if (count > 1) refuse(fmt::format("{} entries, legal: none or one", count));
+      if (count == 0) return;
+      // What is there already keeps its room.
+      if (!std::holds_alternative<T>(chosen)) chosen.template emplace<T>();
+      get(std::get<T>(chosen));
       ++found;
     };
     (try_one(std::type_identity<Ts>{}), ...);

@@ -39,8 +39,7 @@ std::string encoded(const Record& record) {
 }
 
 template <class Record>
-Record decoded(std::string_view bytes) {
-  Record record;
+void read_into(Record& record, std::string_view bytes) {
   // Fast CDR reads from where it could also write.
   FastBuffer buffer(const_cast<char*>(bytes.data()), bytes.size());
   Cdr cdr(buffer, Cdr::LITTLE_ENDIANNESS, Cdr::DDS_CDR);
@@ -51,10 +50,20 @@ Record decoded(std::string_view bytes) {
   } catch (const eprosima::fastcdr::exception::Exception& error) {
     throw InputError(fmt::format("not a whole {}: {}", record_name<Record>, error.what()));
   }
+}
+
+template <class Record>
+Record decoded(std::string_view bytes) {
+  Record record;
+  read_into(record, bytes);
   return record;
 }
 
 }  // namespace
+
+void decode_into(Step& record, std::string_view bytes) {
+  read_into(record, bytes);
+}
 
 #define ARCBID_ENCODED(Type)                \
   std::string encode(const Type& record) {  \

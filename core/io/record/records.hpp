@@ -60,6 +60,9 @@ StatusMessage decode(std::string_view bytes);
 template <>
 BidMessage decode(std::string_view bytes);
 
+/// The same into a record that is there, whose room is used again: for millions of them.
+void decode_into(Step& record, std::string_view bytes);
+
 /// The definition of a record in ROS 2's message language, those of what it is made of after it.
 /// Instances exist for all of the above.
 template <class Record>
