@@ -63,41 +63,60 @@ void sort(std::vector<LogReport>& logs) {
   });
 }
 
-/// Agents' processes of which no log is left, by what the launcher wrote down.
+/// Processes of which no log is left, by what the launcher wrote down.
 void miss_processes(const Path& run, std::vector<LogReport>& logs) {
   std::ifstream in(run / "processes.json");
   const json processes = in ? json::parse(in, nullptr, false) : json();
   if (!processes.is_array()) return;
-  std::map<std::uint32_t, std::vector<std::uint64_t>> pids;  // by agent
+  std::map<std::uint32_t, std::vector<std::uint64_t>> pids;  // by agent; 0: the coordinator
   static const std::regex number("[0-9]{1,9}");
   for (const json& process : processes) {
     if (!process.is_object() || !process.value("pid", json()).is_number_unsigned()) continue;
     const json name = process.value("name", json());
     if (!name.is_string()) continue;
-    const std::string text = name;
+    const std::string text = name == "coordinator" ? "0" : name.get<std::string>();
     for (std::sregex_iterator at(text.begin(), text.end(), number), end; at != end; ++at)
       pids[static_cast<std::uint32_t>(std::stoul(at->str()))].push_back(process["pid"]);
   }
   for (auto& [agent, left] : pids) {
     std::size_t unexplained = left.size();
     for (const LogReport& log : logs)
-      if (log.role == "agent" && log.agent == agent && unexplained > 0) --unexplained;
+      if (!log.role.empty() && log.agent == agent && unexplained > 0) --unexplained;
     for (const LogReport& log : logs)
       if (log.agent == agent) std::erase(left, log.pid);
     for (std::size_t n = 0; n < std::min(unexplained, left.size()); ++n) {
       LogReport missing;
-      missing.role = "agent";
+      missing.role = agent == 0 ? "coordinator" : "agent";
       missing.agent = agent;
       missing.pid = left[n];
-      missing.not_read = "there is no log of it";
+      missing.never_began = agent != 0;
+      missing.not_read =
+          missing.never_began
+              ? "there is no log of it, and nobody heard it: it ended before it began"
+              : "there is no log of it";
       logs.push_back(std::move(missing));
     }
+  }
+}
+
+/// A process that is killed in its first moments leaves a log behind that it was just making.
+void pardon_the_unborn(std::vector<LogReport>& logs) {
+  for (LogReport& log : logs) {
+    if (log.not_read.empty() || log.heard_only || log.file.empty()) continue;
+    std::error_code none;
+    const bool was_being_made = std::filesystem::exists(log.file.string() + "-journal", none) ||
+                                log.not_read.ends_with("it is empty") ||
+                                log.not_read.find("no such table") != std::string::npos;
+    if (!was_being_made) continue;
+    log.never_began = true;
+    log.not_read += ", and nobody heard it: it ended while it was making its log";
   }
 }
 
 }  // namespace
 
 bool LogReport::whole() const {
+  if (never_began) return true;
   if (!not_read.empty() || !lost.empty() || !complaints.empty() || wal.lost_commits > 0)
     return false;
   if (!heard_only) return true;
@@ -118,6 +137,7 @@ RunReport examine(const Path& run) {
   for (std::size_t l = 0; l < report.logs.size(); ++l) examine_log(report.logs[l], l, evidence);
   evidence.judge(report.logs);
   miss_processes(run, report.logs);
+  pardon_the_unborn(report.logs);
   sort(report.logs);
   return report;
 }

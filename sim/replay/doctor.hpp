@@ -25,10 +25,11 @@ struct LogReport {
   std::filesystem::path file;  ///< empty: there is none
   std::string role;            ///< "agent" or "coordinator"; empty: nobody knows
   std::uint32_t agent = 0;
-  std::uint64_t life = 0;   ///< its incarnation at birth; the coordinator's: its birth's stamp
-  std::uint64_t pid = 0;    ///< 0: not known
-  std::string not_read;     ///< why nothing of it can be read; empty: it was
-  std::size_t records = 0;  ///< intact ones
+  std::uint64_t life = 0;    ///< its incarnation at birth; the coordinator's: its birth's stamp
+  std::uint64_t pid = 0;     ///< 0: not known
+  std::string not_read;      ///< why nothing of it can be read; empty: it was
+  bool never_began = false;  ///< it has no log, or none with anything in it, and nobody heard it
+  std::size_t records = 0;   ///< intact ones
   std::int64_t first_seq = 0, last_seq = 0;
   TimeNs first_ns = 0, last_ns = 0;
   std::vector<RunLogReader::Lost> lost;  ///< ascending

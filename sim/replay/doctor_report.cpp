@@ -33,6 +33,7 @@ std::string how_it_ended(const LogReport& log) {
 }
 
 std::string verdict(const LogReport& log) {
+  if (log.never_began) return "nothing: " + log.not_read;
   if (!log.not_read.empty()) return "lost: " + log.not_read;
   std::string out = log.whole() ? (log.ended_by ? "whole" : "whole to its last commit") : "damaged";
   if (log.records == 0) return out + ": no records; " + how_it_ended(log);
@@ -102,7 +103,7 @@ std::string describe(const RunReport& report) {
     for (const std::string& line : particulars(log)) out += fmt::format("    {}\n", line);
     whole += log.whole() ? 1 : 0;
     killed += log.whole() && !log.ended_by ? 1 : 0;
-    not_read += log.not_read.empty() ? 0 : 1;
+    not_read += log.whole() || log.not_read.empty() ? 0 : 1;
     records += log.records;
   }
   return out + fmt::format(

@@ -115,7 +115,13 @@ void LifeLog::take(const RunLogReader::Record& record, Step& room) {
     born_ns_ = record.t_ns;
     learnt_.resize(mission_->fleet.size());
   } else if (record.kind == log_kind::birth) {
-    birth_ = decoded<Birth>(record, file());
+    const Birth birth = decoded<Birth>(record, file());
+    if (birth.agent != agent_ || birth.incarnation == 0)
+      throw InputError(
+          fmt::format("{}: holds the birth of agent {}, life {}; legal: agent {}, "
+                      "any life above 0",
+                      file().string(), birth.agent.value, birth.incarnation, agent_.value));
+    birth_ = birth;
   } else if (record.kind == log_kind::end) {
     const auto body = nlohmann::json::parse(record.body, nullptr, false);
     if (body.is_object() && body.contains("by") && body["by"].is_string()) ended_by_ = body["by"];

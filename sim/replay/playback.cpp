@@ -99,6 +99,16 @@ std::optional<Learnt> Playback::newest(std::size_t life, std::size_t member,
 }
 
 Statement Playback::statement(std::size_t life, std::size_t member, const Learnt& learnt) const {
+  Statement said = on_record(life, member, learnt);
+  // A record that is damaged may name tasks that there are not.
+  if (auto* claims = std::get_if<Claims>(&said.body))
+    std::erase_if(claims->bundle, [this](const Claim& claim) {
+      return claim.task.value >= run_.tasks.tasks.size();
+    });
+  return said;
+}
+
+Statement Playback::on_record(std::size_t life, std::size_t member, const Learnt& learnt) const {
   const AgentId of = run_.mission->fleet[member].id;
   Statement none{of, learnt.key, Claims{}};
   if (learnt.key.dead) return none;  // a tombstone claims nothing

@@ -43,6 +43,7 @@ class Playback {
   };
   void note(std::size_t moment);
   Statement statement(std::size_t life, std::size_t member, const Learnt& learnt) const;
+  Statement on_record(std::size_t life, std::size_t member, const Learnt& learnt) const;
   std::optional<Learnt> newest(std::size_t life, std::size_t member, std::size_t steps) const;
 
   const RunArchive& run_;

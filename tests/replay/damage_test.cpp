@@ -2,6 +2,7 @@
 // Logs that are cut, zeroed and flipped in many places: nothing crashes, and what is said to be
 // intact is what can be read.
 #include "core/base/error.hpp"
+#include "sim/replay/playback.hpp"
 #include "sim/replay/salvage.hpp"
 #include "sim/replay/verify.hpp"
 #include "tests/replay/damaged_run.hpp"
@@ -34,6 +35,8 @@ class Damage : public DamagedRun {
       try {
         const RunArchive archive = open_run(directory);
         for (const LifeLog& life : archive.lives) verify(life);
+        const Playback playback(archive);
+        playback.owners(playback.moments().size() / 2);
       } catch (const InputError& error) {
         EXPECT_THAT(error.what(), ::testing::HasSubstr(".sqlite")) << damage;
       }
@@ -78,7 +81,7 @@ TEST_F(Damage, AnyByteFlipped) {
   record();
   const std::string whole = bytes_of(log);
   Dice dice(7);
-  for (int n = 0; n < 150; ++n) {
+  for (int n = 0; n < 80; ++n) {
     std::string damaged = whole;
     const std::size_t at = dice.below(whole.size());
     damaged[at] = static_cast<char>(damaged[at] ^ (1 << dice.below(8)));

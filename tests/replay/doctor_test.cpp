@@ -81,7 +81,11 @@ TEST_F(Doctor, MissesALogByTheProcessesThatWereLaunched) {
             R"([{"name": "agent 1", "pid": 1}, {"name": "agent 9", "pid": 77}])");
   const LogReport report = report_of(9);
   EXPECT_EQ(report.pid, 77u);
-  EXPECT_THAT(report.not_read, HasSubstr("there is no log of it"));
+  EXPECT_THAT(report.not_read, HasSubstr("there is no log of it, and nobody heard it"));
+  EXPECT_TRUE(examine(run).whole());
+  put_bytes(run / "processes.json", R"([{"name": "coordinator", "pid": 5}])");
+  EXPECT_THAT(report_of(0).not_read, HasSubstr("there is no log of it"));
+  EXPECT_FALSE(examine(run).whole());
 }
 
 TEST_F(Doctor, MissesTheSecondLifeOfAnAgentWhoseFirstIsThere) {
@@ -114,6 +118,18 @@ TEST_F(Doctor, SaysWhyALogIsNotRead) {
   put_bytes(log.string() + "-wal", "left over");
   EXPECT_THAT(report_of(2).not_read, HasSubstr("only its write-ahead log"));
   EXPECT_TRUE(report_of(1).whole());
+}
+
+TEST_F(Doctor, DoesNotMissWhatWasNeverBegun) {
+  record();
+  const auto unborn = run / "logs/agent_2.9000.sqlite";
+  put_bytes(unborn, "");
+  const RunReport report = examine(run);
+  EXPECT_TRUE(report.logs[2].never_began);
+  EXPECT_THAT(report.logs[2].not_read, HasSubstr("it ended while it was making its log"));
+  EXPECT_TRUE(report.whole());
+  put_bytes(unborn, std::string(5000, 'x'));  // no log that was being made looks like that
+  EXPECT_FALSE(examine(run).whole());
 }
 
 TEST_F(Doctor, TakesNoOtherFolderForARun) {
