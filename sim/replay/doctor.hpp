@@ -44,7 +44,7 @@ struct LogReport {
 };
 
 /// What a process that is killed may not have committed yet (docs/RUN_DIRECTORY.md).
-inline constexpr TimeNs uncommitted_ns = 130'000'000;
+inline constexpr TimeNs uncommitted_ns = 100'000'000;
 
 struct RunReport {
   std::vector<LogReport> logs;  ///< the coordinator's, then by agent and life; missing ones too
