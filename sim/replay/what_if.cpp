@@ -52,6 +52,18 @@ void leave_out(const OtherRules& rules, std::vector<Uav>& fleet) {
   if (rules.agents) fleet.resize(*rules.agents);
 }
 
+/// A loss that never ends leaves no calm in which an agreement must come. What ended before still
+/// ends when it did.
+void lose(double share, FaultSchedule& faults) {
+  constexpr TimeNs lasts_ns = 10'000'000'000;
+  const TimeNs ended_ns = faults.until_ns.value_or(INT64_MAX);
+  for (LinkFault& link : faults.links) link.when.end_ns = std::min(link.when.end_ns, ended_ns);
+  for (Partition& partition : faults.partitions)
+    partition.when.end_ns = std::min(partition.when.end_ns, ended_ns);
+  faults.until_ns = std::max(last_turn_ns(faults), faults.until_ns.value_or(0)) + lasts_ns;
+  faults.links.emplace_back().loss = share;
+}
+
 }  // namespace
 
 bool OtherRules::none() const {
@@ -65,12 +77,9 @@ WorldSpec under(const OtherRules& rules, WorldSpec world) {
   if (rules.bundle_limit) auction.bundle_limit = *rules.bundle_limit;
   leave_out(rules, world.mission.fleet);
   forget_the_absent(world);
-  if (rules.loss && *rules.loss > 0) world.faults.links.emplace_back().loss = *rules.loss;
+  if (rules.loss && *rules.loss > 0) lose(*rules.loss, world.faults);
   if (world.mission.fleet.empty() || !anybody_lives(world))
     throw InputError("nobody would be alive at the end of this run: there is nothing to agree on");
-  // A loss that never ends leaves no calm in which an agreement must come.
-  if (rules.loss && !world.faults.until_ns)
-    world.faults.until_ns = std::max<TimeNs>(last_turn_ns(world.faults), 0) + 10'000'000'000;
   return world;
 }
 

@@ -85,6 +85,21 @@ TEST(WhatIf, LosesMessagesUntilThereIsCalm) {
   EXPECT_TRUE(run_world(other).agreed);
 }
 
+TEST(WhatIf, LosesMessagesAlsoAfterTheRunsOwnFaults) {
+  OtherRules rules;
+  rules.loss = 0.3;
+  WorldSpec world = world_of_four();
+  world.faults.links.emplace_back().cut = true;
+  world.faults.until_ns = s / 10;
+  const WorldSpec other = under(rules, world);
+  ASSERT_EQ(other.faults.links.size(), 2u);
+  EXPECT_EQ(other.faults.links[0].when.end_ns, s / 10) << "what ended then still does";
+  EXPECT_GT(*other.faults.until_ns, s);
+  const WorldResult was = run_world(world), is = run_world(other);
+  ASSERT_TRUE(was.agreed && is.agreed);
+  EXPECT_NE(was.digest, is.digest);
+}
+
 TEST(WhatIf, LetsTheOneLiveWhoDiedLast) {
   WorldSpec world = world_of_four();
   world.faults.agents = {crash(2, 1 * s, s), crash(2, 5 * s), crash(3, 2 * s)};
