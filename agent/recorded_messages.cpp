@@ -18,7 +18,13 @@ RecordedMessages::RecordedMessages(const std::filesystem::path& run) {
         entry.path().filename().string().starts_with("agent_"))
       files.push_back(entry.path());
   std::sort(files.begin(), files.end());
-  for (const auto& file : files) read(file);
+  for (const auto& file : files) {
+    try {
+      read(file);
+    } catch (const InputError& error) {
+      fmt::print(stderr, "left out: {}\n", error.what());
+    }
+  }
   if (logs_.empty())
     throw InputError(fmt::format("{}: no agent's log has the mission", (run / "logs").string()));
   std::sort(steps_.begin(), steps_.end());

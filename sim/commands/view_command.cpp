@@ -38,6 +38,8 @@ Exit ViewCommand::run(const std::filesystem::path& programs) const {
 }
 
 Exit ViewCommand::serve(const std::filesystem::path& programs) const {
+  // Of a run that has ended, what is wrong with it is said here; one that begins may yet come to be.
+  if (std::filesystem::exists(std::filesystem::path(run_) / "result.json")) open_run(run_);
   const ViewServer server(run_, programs, port_);
   fmt::print("{} is at {} until Ctrl-C\n", run_, server.address());
   std::fflush(stdout);

@@ -44,7 +44,9 @@ std::vector<Path> logs_in(const Path& run) {
 
 /// What the file's name says, for what is inside may be damaged.
 LogReport named(const Path& file) {
-  static const std::regex pattern("(?:(coordinator)|agent_([0-9]{1,9}))\\.([0-9]{1,18})\\.sqlite");
+  static const std::regex pattern(
+      // A recorded world counts its lives behind the incarnation.
+      "(?:(coordinator)|agent_([0-9]{1,10}))\\.([0-9]{1,19})(?:\\.[0-9]+)?\\.sqlite");
   LogReport log;
   log.file = file;
   std::smatch found;

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 
+#include "core/auction/task_set.hpp"
 #include "core/base/error.hpp"
 #include "core/io/run/agent_log.hpp"
+#include "sim/replay/misfit.hpp"
 
 namespace arcbid {
 namespace {
@@ -108,12 +110,19 @@ void LifeLog::take(const RunLogReader::Record& record, Step& room) {
     if (!birth_ || !mission_)
       throw InputError(fmt::format("{}: a step before its birth", file().string()));
     named(record, file(), [&] { decode_into(room, record.body); });
+    if (const auto problem = misfit(room, *mission_, tasks_))
+      throw InputError(fmt::format("{}: record {}: {}", file().string(), record.seq, *problem));
     mark(record, room);
   } else if (record.kind == log_kind::mission) {
     mission_ = std::make_shared<const Mission>(decoded<Mission>(record, file()));
     mission_digest_ = digest(*mission_);
     born_ns_ = record.t_ns;
     learnt_.resize(mission_->fleet.size());
+    const AuctionSettings& auction = mission_->auction;
+    tasks_ = split(mission_->arcs, auction.split_m, auction.max_tasks).tasks.size();
+    if (position(agent_) == mission_->fleet.size())
+      throw InputError(
+          fmt::format("{}: agent {} is not of its mission's fleet", file().string(), agent_.value));
   } else if (record.kind == log_kind::birth) {
     const Birth birth = decoded<Birth>(record, file());
     if (birth.agent != agent_ || birth.incarnation == 0)

@@ -103,6 +103,7 @@ class LifeLog {
   std::vector<Mark> marks_;
   std::vector<std::vector<Learnt>> learnt_;
   std::uint32_t round_ = 0;
+  std::size_t tasks_ = 0;  // of the mission
 };
 
 }  // namespace arcbid

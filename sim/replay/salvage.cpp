@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 #include "core/base/error.hpp"
@@ -94,8 +95,12 @@ void copy_other_files(const fs::path& run, const fs::path& to) {
 }  // namespace
 
 void salvage(const fs::path& run, const RunReport& report, const fs::path& to) {
-  if (fs::exists(to) && !(fs::is_directory(to) && fs::is_empty(to)))
+  std::error_code none;
+  if (fs::exists(to, none) && !(fs::is_directory(to, none) && fs::is_empty(to, none)))
     throw InputError(fmt::format("{}: is not empty; name a new directory", to.string()));
+  const fs::path inside = fs::weakly_canonical(to, none), of = fs::weakly_canonical(run, none);
+  if (std::mismatch(of.begin(), of.end(), inside.begin(), inside.end()).first == of.end())
+    throw InputError(fmt::format("{}: is inside the run; name a directory beside it", to.string()));
   try {
     fs::create_directories(to / "logs");
     copy_other_files(run, to);

@@ -24,14 +24,17 @@ nlohmann::json links_data(const RunArchive& run) {
     const std::uint32_t to = life.agent().value;
     for (const Mark& mark : life.marks())
       if (mark.heard) ++cells[{mark.t_ns / bin_ns, mark.heard->sender.value, to}].heard;
-    life.reader().read(
-        [&](const RunLogReader::Record& record) {
-          const auto body = nlohmann::json::parse(record.body, nullptr, false);
-          if (body.is_object() && body.contains("sender"))
-            ++cells[{record.t_ns / bin_ns, body["sender"].get<std::uint32_t>(), to}].lost;
-          return true;
-        },
-        0, "lost");
+    const auto take = [&](const RunLogReader::Record& record) {
+      if (record.kind != "lost") return true;
+      const auto body = nlohmann::json::parse(record.body, nullptr, false);
+      if (body.is_object() && body.value("sender", nlohmann::json()).is_number_unsigned())
+        ++cells[{record.t_ns / bin_ns, body["sender"].get<std::uint32_t>(), to}].lost;
+      return true;
+    };
+    if (life.damage())
+      life.reader().read_intact(take, [](const RunLogReader::Lost&) {});
+    else
+      life.reader().read(take, 0, "lost");
   }
   nlohmann::json rows = nlohmann::json::array();
   for (const auto& [cell, counts] : cells) {

@@ -52,13 +52,22 @@ struct ViewServer::Impl {
     const std::scoped_lock lock(mutex);
     const std::uint64_t now = stamp_of(run);
     if (now == stamp && !data.empty()) return data;
-    stamp = now;
     try {
       data = gzip(view_data(open_run(run)).dump());
     } catch (const InputError&) {
       data = gzip("{\"schema\": 1, \"live\": true}");
     }
+    stamp = now;
     return data;
+  }
+
+  /// Only pages of this server may ask: a name that somebody else made lead here is none of it.
+  bool is_ours(const httplib::Request& request) const {
+    const std::string here = fmt::format("{}:{}", host, port),
+                      name = fmt::format("localhost:{}", port);
+    const std::string asked = request.get_header_value("Host");
+    if (asked != here && asked != name) return false;
+    return !request.has_header("Origin") || request.get_header_value("Origin") == "http://" + asked;
   }
 
   void serve_updates(httplib::Response& response) {
@@ -93,6 +102,12 @@ ViewServer::ViewServer(std::filesystem::path run, const std::filesystem::path& p
   Impl& self = *impl_;
   self.run = std::move(run);
   self.page = viewer_page(programs);
+  self.server.set_pre_routing_handler(
+      [&self](const httplib::Request& request, httplib::Response& response) {
+        if (self.is_ours(request)) return httplib::Server::HandlerResponse::Unhandled;
+        response.status = 403;
+        return httplib::Server::HandlerResponse::Handled;
+      });
   self.server.Get("/", [&self](const httplib::Request&, httplib::Response& response) {
     response.set_content(self.page, "text/html; charset=utf-8");
   });
@@ -111,6 +126,7 @@ ViewServer::ViewServer(std::filesystem::path run, const std::filesystem::path& p
   if (self.port <= 0)
     throw InputError(fmt::format("--port {}: is taken; legal: a free one, or 0 for any", port));
   self.thread = std::thread([&self] { self.server.listen_after_bind(); });
+  while (!self.server.is_running()) std::this_thread::sleep_for(1ms);  // stop() before that is lost
 }
 
 ViewServer::~ViewServer() {

@@ -2,6 +2,7 @@
 // node report_test.mjs BUILD SOURCE: a real run, its report in a real browser, and the same run served.
 import { execFileSync, spawn, spawnSync } from 'node:child_process';
 import { existsSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { get } from 'node:http';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { gunzipSync } from 'node:zlib';
@@ -32,6 +33,15 @@ function addressOf(server) {
   });
 }
 
+function statusOf(address, headers) {
+  return new Promise((resolve, reject) => {
+    get(`${address}data`, { headers }, (answer) => {
+      answer.resume();
+      resolve(answer.statusCode);
+    }).on('error', reject);
+  });
+}
+
 async function served() {
   const server = spawn('timeout', ['60', arcbid, 'view', run], { stdio: ['ignore', 'pipe', 'inherit'] });
   try {
@@ -44,6 +54,9 @@ async function served() {
     const first = new TextDecoder().decode((await updates.body.getReader().read()).value);
     if (first !== 'data: {"version": 1, "ended": true}\n\n') fail(`the first update is ${JSON.stringify(first)}`);
     if ((await fetch(`${address}logs`)).status !== 404) fail('more is served than the viewer needs');
+    const port = new URL(address).port;
+    for (const headers of [{ Host: `elsewhere.example:${port}` }, { Host: `127.0.0.1:${port}`, Origin: 'http://elsewhere.example' }])
+      if ((await statusOf(address, headers)) !== 403) fail(`a request from elsewhere is answered: ${JSON.stringify(headers)}`);
   } finally {
     server.kill();
   }
