@@ -7,18 +7,12 @@
 
 #include "core/base/error.hpp"
 #include "core/io/run/agent_log.hpp"
+#include "core/io/run/log_files.hpp"
 
 namespace arcbid {
 
 RecordedMessages::RecordedMessages(const std::filesystem::path& run) {
-  std::error_code failed;
-  std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(run / "logs", failed))
-    if (entry.path().extension() == ".sqlite" &&
-        entry.path().filename().string().starts_with("agent_"))
-      files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  for (const auto& file : files) {
+  for (const auto& file : agents_logs(run)) {
     try {
       read(file);
     } catch (const InputError& error) {

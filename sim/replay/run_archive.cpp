@@ -9,25 +9,12 @@
 #include <thread>
 
 #include "core/base/error.hpp"
+#include "core/io/run/log_files.hpp"
 
 namespace arcbid {
 namespace {
 
 using Path = std::filesystem::path;
-
-std::vector<Path> agents_logs(const Path& run) {
-  std::error_code failed;
-  std::vector<Path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(run / "logs", failed))
-    if (entry.path().extension() == ".sqlite" &&
-        entry.path().filename().string().starts_with("agent_"))
-      files.push_back(entry.path());
-  if (failed)
-    throw InputError(fmt::format("{}: {}; legal: a run directory, or a recorded world's",
-                                 (run / "logs").string(), failed.message()));
-  std::sort(files.begin(), files.end());
-  return files;
-}
 
 struct Opened {
   std::optional<LifeLog> life;

@@ -15,6 +15,7 @@
 #include "core/io/run/agent_log.hpp"
 #include "core/io/run/arcs_json.hpp"
 #include "core/io/run/json_place.hpp"
+#include "core/io/run/log_files.hpp"
 #include "core/io/run/run_log_reader.hpp"
 
 namespace arcbid {
@@ -31,20 +32,6 @@ json parsed(const Path& file) {
   json out = json::parse(in, nullptr, false);
   if (out.is_discarded()) throw InputError(fmt::format("{}: is not JSON", file.string()));
   return out;
-}
-
-std::vector<Path> agents_logs(const Path& run) {
-  std::error_code failed;
-  std::vector<Path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(run / "logs", failed))
-    if (entry.path().extension() == ".sqlite" &&
-        entry.path().filename().string().starts_with("agent_"))
-      files.push_back(entry.path());
-  if (failed)
-    throw InputError(fmt::format("{}: {}; legal: the directory of a run that has ended",
-                                 (run / "logs").string(), failed.message()));
-  std::sort(files.begin(), files.end());
-  return files;
 }
 
 /// Names of processes ("agent 2, second") by their PIDs.
