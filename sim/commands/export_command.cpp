@@ -45,7 +45,8 @@ Exit ExportCommand::run() const {
   const RunArchive run = open_run(run_);
   for (const std::string& problem : run.unreadable) fmt::print("left out: {}\n", problem);
   if (!mcap_.empty()) {
-    export_mcap(run, mcap_);
+    for (const std::string& missing : export_mcap(run, mcap_))
+      fmt::print("left out: {}\n", missing);
     fmt::print("written: {}\n", mcap_);
   }
   if (!csv_.empty()) {

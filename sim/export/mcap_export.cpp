@@ -7,8 +7,11 @@
 #include <fstream>
 #include <limits>
 #include <map>
+#include <variant>
 
+#include "core/base/error.hpp"
 #include "core/io/build/build.hpp"
+#include "core/io/structure_reader.hpp"
 #include "sim/export/scene.hpp"
 #include "sim/export/statements.hpp"
 #include "sim/mcap/ros_topics.hpp"
@@ -27,8 +30,9 @@ std::uint64_t stamp(TimeNs t_ns) {
 
 class Exporter {
  public:
-  Exporter(const RunArchive& run, const std::filesystem::path& file)
+  Exporter(const RunArchive& run, const Structure* structure, const std::filesystem::path& file)
       : run_(run),
+        structure_(structure),
         playback_(run),
         scene_(*run.mission, run.tasks),
         writer_(file, {.library = fmt::format("arcbid {}", build_version())}),
@@ -48,6 +52,7 @@ class Exporter {
     const auto& moments = playback_.moments();
     const TimeNs begin_ns = moments.empty() ? 0 : moments.front().t_ns;
     topics_.write(homes_, stamp(begin_ns), scene_.homes(begin_ns));
+    if (structure_) write_structure(begin_ns);
     const std::vector<Belief> nobody(run_.tasks.tasks.size());
     topics_.write(arcs_, stamp(begin_ns), scene_.arcs(begin_ns, nobody));
     const std::vector<Ownership> owners = ownerships(run_, playback_);
@@ -99,6 +104,14 @@ class Exporter {
     attach("result.json", "application/json");
     attach("config.yaml", "application/yaml");
     attach("faults.yaml", "application/yaml");
+  }
+
+  void write_structure(TimeNs t_ns) {
+    auto cloud = topics_.topic<ros::PointCloud2>("/structure", Durability::transient_local);
+    topics_.write(cloud, stamp(t_ns), Scene::cloud(t_ns, *structure_));
+    if (!structure_->is_mesh()) return;
+    auto mesh = topics_.topic<ros::MarkerArray>("/structure_mesh", Durability::transient_local);
+    topics_.write(mesh, stamp(t_ns), Scene::mesh(t_ns, *structure_));
   }
 
   void take(const RunStep& at) {
@@ -157,6 +170,7 @@ class Exporter {
   }
 
   const RunArchive& run_;
+  const Structure* const structure_;  // may be missing
   const Playback playback_;
   const Scene scene_;
   mcap::McapWriter writer_;
@@ -169,10 +183,24 @@ class Exporter {
   TimeNs take_off_ns_ = 0, pose_ns_ = 0;                       // and of the next poses
 };
 
+/// As the coordinator left it for whoever looks, or why there is none.
+std::variant<Structure, std::string> structure_of(const RunArchive& run) {
+  const auto file = run.directory / "structure.ply";
+  if (!std::filesystem::exists(file)) return fmt::format("{}: is not there", file.string());
+  try {
+    return read_structure(file, {}).structure;
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
 }  // namespace
 
-void export_mcap(const RunArchive& run, const std::filesystem::path& file) {
-  Exporter(run, file).write();
+std::vector<std::string> export_mcap(const RunArchive& run, const std::filesystem::path& file) {
+  const auto structure = structure_of(run);
+  Exporter(run, std::get_if<Structure>(&structure), file).write();
+  const auto* missing = std::get_if<std::string>(&structure);
+  return missing ? std::vector{*missing} : std::vector<std::string>{};
 }
 
 }  // namespace arcbid

@@ -116,6 +116,28 @@ ros::Path Scene::path(TimeNs t_ns, const Route& route) {
   return out;
 }
 
+ros::PointCloud2 Scene::cloud(TimeNs t_ns, const Structure& structure) {
+  ros::PointCloud2 out{header(t_ns), {}};
+  for (const Vec3& at : structure.points) {
+    const Eigen::Vector3f p = at.cast<float>();
+    out.points.push_back({p.x(), p.y(), p.z()});
+  }
+  return out;
+}
+
+ros::MarkerArray Scene::mesh(TimeNs t_ns, const Structure& structure) {
+  ros::Marker triangles;
+  triangles.header = header(t_ns);
+  triangles.ns = "structure";
+  triangles.type = ros::MarkerType::triangle_list;
+  triangles.scale = {1, 1, 1};
+  triangles.color = nobodys;
+  for (const auto& triangle : structure.triangles)
+    for (const std::uint32_t corner : triangle)
+      triangles.points.push_back(point(structure.points[corner]));
+  return {{std::move(triangles)}};
+}
+
 Flight::Flight(const Route& route) : time_s_(route.time_s) {
   const double speed = route.time_s > 0 ? route.length_m / route.time_s : 1;
   double flown_m = 0;

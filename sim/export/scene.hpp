@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/route/route.hpp"
+#include "core/structure/structure.hpp"
 #include "sim/mcap/ros_types.hpp"
 #include "sim/replay/run_archive.hpp"
 
@@ -19,6 +20,10 @@ class Scene {
   /// All arcs, each piece in its owner's colour; grey: nobody's. Whole: it replaces the one before.
   ros::MarkerArray arcs(TimeNs t_ns, const std::vector<Belief>& owners) const;
   static ros::Path path(TimeNs t_ns, const Route& route);
+  /// All points; of a mesh, its vertices.
+  static ros::PointCloud2 cloud(TimeNs t_ns, const Structure& structure);
+  /// All triangles of a mesh.
+  static ros::MarkerArray mesh(TimeNs t_ns, const Structure& structure);
 
  private:
   ros::ColorRGBA colour(const std::optional<AgentId>& agent) const;

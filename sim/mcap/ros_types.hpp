@@ -76,10 +76,11 @@ struct PointCloud2 {
 
 /// What a marker shows, and what `scale` says of it.
 enum class MarkerType : std::int32_t {
-  sphere = 2,           ///< diameters along x, y, z
-  line_strip = 4,       ///< x: the line's width; through all points
-  line_list = 5,        ///< x: the line's width; between points 0 and 1, 2 and 3, …
-  text_view_facing = 9  ///< z: the height of a capital letter
+  sphere = 2,            ///< diameters along x, y, z
+  line_strip = 4,        ///< x: the line's width; through all points
+  line_list = 5,         ///< x: the line's width; between points 0 and 1, 2 and 3, …
+  text_view_facing = 9,  ///< z: the height of a capital letter
+  triangle_list = 11     ///< a factor along each axis; of points 0, 1, 2, then 3, 4, 5, …
 };
 
 enum class MarkerAction : std::int32_t { add = 0, remove = 2, remove_all = 3 };
@@ -95,7 +96,7 @@ struct Marker {
   Vector3 scale = {};
   ColorRGBA color = {};
   std::uint64_t lifetime_ns = 0;   ///< 0: until removed
-  std::vector<Point> points = {};  ///< of lines, relative to `pose`
+  std::vector<Point> points = {};  ///< of lines and triangles, relative to `pose`
   std::string text = {};
 };
 

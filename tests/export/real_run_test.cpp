@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include "core/io/structure_reader.hpp"
 #include "tests/end_to_end/launched.hpp"
 #include "tests/mcap/read_back.hpp"
 
@@ -35,7 +36,7 @@ TEST(ExportOfARealRun, IsReadByOthersAndReplacesNothingUnasked) {
   std::map<std::string, std::size_t> messages;
   for (const auto& channel : said.at("channels"))
     messages[channel.at("topic")] = channel.at("messages");
-  EXPECT_EQ(messages.size(), 3 + 4 * 7u);
+  EXPECT_EQ(messages.size(), 5 + 4 * 7u);
   EXPECT_GE(messages["/events"], 8u);  // four start and agree
   EXPECT_GT(messages["/arcs"], 1u);
   for (int agent = 1; agent <= 4; ++agent)
@@ -44,6 +45,10 @@ TEST(ExportOfARealRun, IsReadByOthersAndReplacesNothingUnasked) {
   const auto& step = said.at("first").at("/agent_3/step");
   EXPECT_EQ(step.at("event").at("tick").size() + step.at("event").at("status").size(), 1u);
   EXPECT_EQ(said.at("attachments").size(), 2u);
+  const Structure structure = read_structure(scratch / "run/structure.ply", {}).structure;
+  EXPECT_EQ(said.at("first").at("/structure").at("width"), structure.points.size());
+  EXPECT_EQ(said.at("first").at("/structure_mesh").at("markers").at(0).at("points").size(),
+            3 * structure.triangles.size());
 }
 
 }  // namespace

@@ -144,15 +144,21 @@ TEST_P(ReadTypes, MarkerArrayOfEveryKind) {
                          .type = MarkerType::text_view_facing,
                          .scale = {0, 0, 2},
                          .text = "agent 9"};
+  const ros::Marker triangles{.ns = "structure",
+                              .type = MarkerType::triangle_list,
+                              .scale = {1, 1, 1},
+                              .points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
   const ros::Marker removed{.ns = "homes", .id = 3, .action = MarkerAction::remove};
   const ros::Marker all_removed{.action = MarkerAction::remove_all};
   const json upright = pose_json(0, 0, 0, 0, 0, 0, 1);
-  EXPECT_EQ(read_back(ros::MarkerArray{{sphere, strip, list, text, removed, all_removed}}),
-            json({{"markers",
-                   {marker_json(sphere, 1, 2, 0, pose_json(1, 2, 3, 0.5, 0.5, -0.5, 0.5)),
-                    marker_json(strip, 2, 4, 0, upright), marker_json(list, 3, 5, 0, upright),
-                    marker_json(text, 4, 9, 0, upright), marker_json(removed, 0, 2, 2, upright),
-                    marker_json(all_removed, 0, 2, 3, upright)}}}));
+  EXPECT_EQ(
+      read_back(ros::MarkerArray{{sphere, strip, list, text, triangles, removed, all_removed}}),
+      json({{"markers",
+             {marker_json(sphere, 1, 2, 0, pose_json(1, 2, 3, 0.5, 0.5, -0.5, 0.5)),
+              marker_json(strip, 2, 4, 0, upright), marker_json(list, 3, 5, 0, upright),
+              marker_json(text, 4, 9, 0, upright), marker_json(triangles, 0, 11, 0, upright),
+              marker_json(removed, 0, 2, 2, upright),
+              marker_json(all_removed, 0, 2, 3, upright)}}}));
 }
 
 INSTANTIATE_TEST_SUITE_P(Compressions, ReadTypes,
