@@ -4,65 +4,168 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
+#include "core/auction/validation.hpp"
 #include "core/base/error.hpp"
 #include "core/io/run/agent_log.hpp"
 #include "core/io/run/log_files.hpp"
 
 namespace arcbid {
 
-RecordedMessages::RecordedMessages(const std::filesystem::path& run) {
-  for (const auto& file : agents_logs(run)) {
-    try {
-      read(file);
-    } catch (const InputError& error) {
-      fmt::print(stderr, "left out: {}\n", error.what());
-    }
+namespace {
+
+using Path = std::filesystem::path;
+
+std::vector<AgentId> roster_of(const Mission& mission) {
+  std::vector<AgentId> out;
+  for (const Uav& uav : mission.fleet) out.push_back(uav.id);
+  return out;
+}
+
+std::vector<AgentMessage> said_in(Step step) {
+  std::vector<AgentMessage> said;
+  for (auto& bid : step.update.bids) said.emplace_back(std::move(bid));
+  for (auto& relay : step.update.relays) said.emplace_back(std::move(relay));
+  for (auto& status : step.update.statuses) said.emplace_back(std::move(status));
+  return said;
+}
+
+/// What an agent of the mission can have said: a record that still reads may be damaged.
+class Sayable {
+ public:
+  explicit Sayable(const Mission& mission) : view_(roster_of(mission)) {
+    const AuctionSettings& auction = mission.auction;
+    const TaskSet tasks = split(mission.arcs, auction.split_m, auction.max_tasks);
+    expected_ = {digest(mission), tasks.digest,   tasks.tasks.size(),
+                 AgentId{},       auction.policy, auction.bundle_limit};
   }
+  std::optional<std::string> refusal(const AgentMessage& message) const {
+    return std::visit(
+        [this](const auto& said) {
+          const auto reason = arcbid::refusal(said.header, expected_, view_);
+          return reason ? reason : refusal_of(said);
+        },
+        message);
+  }
+
+ private:
+  std::optional<std::string> refusal_of(const BidMessage& bid) const {
+    if (bid.statement.agent != bid.header.sender) return "a bid in another agent's name";
+    return arcbid::refusal(bid.statement, expected_, view_);
+  }
+  std::optional<std::string> refusal_of(const RelayMessage& relay) const {
+    return arcbid::refusal(relay.statement, expected_, view_);
+  }
+  std::optional<std::string> refusal_of(const StatusMessage& status) const {
+    return arcbid::refusal(status, view_);
+  }
+
+  View view_;
+  Expected expected_;
+};
+
+Header header_of(const AgentMessage& message) {
+  return std::visit([](const auto& said) { return said.header; }, message);
+}
+
+/// What of one log can be said again.
+class Scan {
+ public:
+  std::optional<Mission> mission;
+  std::vector<std::pair<TimeNs, std::int64_t>> steps;  // when, and which record
+  std::string first_lost;
+  std::size_t lost = 0;
+
+  explicit Scan(const RunLogReader& log) {
+    log.read_intact(
+        [this](const RunLogReader::Record& record) {
+          try {
+            take(record);
+          } catch (const InputError& error) {
+            lose(record.seq, error.what());
+          }
+          return true;
+        },
+        [this](const RunLogReader::Lost& gap) { lose(gap.from_seq, gap.why); });
+  }
+  /// Somebody who had the mission has spoken.
+  bool has_spoken() const { return sayable_.has_value(); }
+
+ private:
+  void take(const RunLogReader::Record& record) {
+    if (record.kind == log_kind::mission) mission = decode<Mission>(record.body);
+    if (record.kind != log_kind::step) return;
+    if (!mission) throw InputError("a step before its mission");
+    const auto said = said_in(decode<Step>(record.body));
+    if (!said.empty() && !sayable_) trust_mission(header_of(said.front()).mission_digest);
+    for (const AgentMessage& message : said)
+      if (const auto reason = sayable_->refusal(message)) throw InputError(*reason);
+    steps.emplace_back(record.t_ns, record.seq);
+  }
+  /// A mission that is damaged may well be one still, but not the one that the agent spoke of.
+  void trust_mission(std::uint64_t named) {
+    if (named != digest(*mission))
+      throw InputError(fmt::format("its messages name mission {:016x}, its record holds {:016x}",
+                                   named, digest(*mission)));
+    sayable_.emplace(*mission);
+  }
+  void lose(std::int64_t seq, const std::string& why) {
+    if (lost++ == 0) first_lost = fmt::format("record {}: {}", seq, why);
+  }
+
+  std::optional<Sayable> sayable_;
+};
+
+}  // namespace
+
+RecordedMessages::RecordedMessages(const Path& run) {
+  for (const Path& file : agents_logs(run)) read(file);
   if (logs_.empty())
-    throw InputError(fmt::format("{}: no agent's log has the mission", (run / "logs").string()));
+    throw InputError(fmt::format(
+        "{}: no agent's log has the mission and a message{}{}", (run / "logs").string(),
+        left_out_.empty() ? "" : "; the first one: ", left_out_.empty() ? "" : left_out_.front()));
   std::sort(steps_.begin(), steps_.end());
 }
 
-void RecordedMessages::read(const std::filesystem::path& file) {
-  auto log = std::make_unique<RunLogReader>(file);
-  const auto mission = log->first(log_kind::mission);
-  if (!mission) return;  // this life had nothing to say about it
-  mission_ = decode<Mission>(mission->body);
-  const std::size_t number = logs_.size();
+void RecordedMessages::read(const Path& file) {
+  std::unique_ptr<RunLogReader> log;
+  std::optional<Scan> scan;
   try {
-    log->read(
-        [&](const RunLogReader::Record& record) {
-          steps_.push_back({record.t_ns, number, record.seq});
-          return true;
-        },
-        0, log_kind::step);
-  } catch (const InputError& damage) {
-    fmt::print(stderr, "{}\n", damage.what());
+    log = std::make_unique<RunLogReader>(file);
+    scan.emplace(*log);
+  } catch (const InputError& error) {
+    left_out_.emplace_back(error.what());
+    return;
   }
+  if (scan->lost > 0)
+    left_out_.push_back(
+        fmt::format("{}: {}{}", file.string(), scan->first_lost,
+                    scan->lost > 1 ? fmt::format("; and {} more", scan->lost - 1) : ""));
+  if (!scan->has_spoken()) return;
+  if (!logs_.empty() && digest(*scan->mission) != digest(mission_))
+    throw InputError(fmt::format("{}: mission {:016x}, but the other logs have {:016x}",
+                                 file.string(), digest(*scan->mission), digest(mission_)));
+  mission_ = std::move(*scan->mission);
+  for (const auto& [t_ns, seq] : scan->steps) steps_.push_back({t_ns, logs_.size(), seq});
   logs_.push_back(std::move(log));
 }
 
 std::vector<AgentId> RecordedMessages::fleet() const {
-  std::vector<AgentId> out;
-  for (const Uav& uav : mission_.fleet) out.push_back(uav.id);
-  return out;
+  return roster_of(mission_);
 }
 
 void RecordedMessages::play(
     const std::function<bool(TimeNs t_ns, const AgentMessage& message)>& take) const {
   for (const Place& place : steps_) {
-    Update update;
-    logs_[place.log]->read(
+    std::vector<AgentMessage> said;
+    logs_[place.log]->read_intact(
         [&](const RunLogReader::Record& record) {
-          update = decode<Step>(record.body).update;
+          if (record.seq == place.seq) said = said_in(decode<Step>(record.body));
           return false;
         },
-        place.seq, log_kind::step);
-    std::vector<AgentMessage> said;
-    for (auto& bid : update.bids) said.emplace_back(std::move(bid));
-    for (auto& relay : update.relays) said.emplace_back(std::move(relay));
-    for (auto& status : update.statuses) said.emplace_back(std::move(status));
+        [](const RunLogReader::Lost&) {}, place.seq);
     for (const AgentMessage& message : said)
       if (!take(place.t_ns, message)) return;
   }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -17,13 +18,18 @@ using AgentMessage = std::variant<BidMessage, RelayMessage, StatusMessage>;
 /// All that the agents of a run said, as their logs have it.
 class RecordedMessages {
  public:
-  /// Throws InputError: one line, when no log has a mission.
+  /// Throws InputError: one line, when no log has the mission and what was said about it, or when
+  /// logs have different missions.
   explicit RecordedMessages(const std::filesystem::path& run);
 
   const Mission& mission() const { return mission_; }
   std::vector<AgentId> fleet() const;
   std::size_t steps() const { return steps_.size(); }
-  /// In the order of the logs' times, until `take` returns false. A damaged log ends early.
+  /// One line each: logs that cannot be read, and what a damaged one has lost. Damage are also
+  /// records that still read and hold what no agent of the mission can have said.
+  const std::vector<std::string>& left_out() const { return left_out_; }
+  /// In the order of the logs' times, until `take` returns false. It goes on behind what is
+  /// damaged.
   void play(const std::function<bool(TimeNs t_ns, const AgentMessage& message)>& take) const;
 
  private:
@@ -38,6 +44,7 @@ class RecordedMessages {
   Mission mission_;
   std::vector<std::unique_ptr<RunLogReader>> logs_;
   std::vector<Place> steps_;
+  std::vector<std::string> left_out_;
 };
 
 }  // namespace arcbid

@@ -102,6 +102,7 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(0.0, 60.0));
   return run_command_line(app, argc, argv, [&] {
     const RecordedMessages record(run);
+    for (const std::string& line : record.left_out()) fmt::print(stderr, "left out: {}\n", line);
     std::optional<DomainLease> lease;
     const std::vector<AgentId> fleet = record.fleet();
     if (!domain) lease.emplace(static_cast<std::uint32_t>(fleet.size()));

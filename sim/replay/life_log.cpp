@@ -118,6 +118,10 @@ void LifeLog::take(const RunLogReader::Record& record, Step& room) {
     mission_digest_ = digest(*mission_);
     born_ns_ = record.t_ns;
     learnt_.resize(mission_->fleet.size());
+    if (const auto problem = misfit(*mission_)) {
+      mission_ = nullptr;
+      throw InputError(fmt::format("{}: record {}: {}", file().string(), record.seq, *problem));
+    }
     const AuctionSettings& auction = mission_->auction;
     tasks_ = split(mission_->arcs, auction.split_m, auction.max_tasks).tasks.size();
     if (position(agent_) == mission_->fleet.size())

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Logs that are cut, zeroed and flipped in many places: nothing crashes, and what is said to be
 // intact is what can be read.
+#include "agent/recorded_messages.hpp"
 #include "core/base/error.hpp"
+#include "sim/export/csv_export.hpp"
+#include "sim/export/mcap_export.hpp"
+#include "sim/replay/explain.hpp"
 #include "sim/replay/playback.hpp"
 #include "sim/replay/salvage.hpp"
 #include "sim/replay/verify.hpp"
+#include "sim/view/view_data.hpp"
 #include "tests/replay/damaged_run.hpp"
 
 namespace arcbid::testing {
@@ -31,20 +36,39 @@ class Damage : public DamagedRun {
   }
   /// Whatever the damage: no crash, and what is salvaged can be used.
   void expect_usable(const std::string& damage) {
-    const auto verify_all = [&](const std::filesystem::path& directory) {
-      try {
-        const RunArchive archive = open_run(directory);
-        for (const LifeLog& life : archive.lives) verify(life);
-        const Playback playback(archive);
-        playback.owners(playback.moments().size() / 2);
-      } catch (const InputError& error) {
-        EXPECT_THAT(error.what(), ::testing::HasSubstr(".sqlite")) << damage;
-      }
-    };
-    verify_all(run);
+    expect_read(run, damage);
     std::filesystem::remove_all(folder / "salvaged");
     salvage(run, examine(run), folder / "salvaged");
-    verify_all(folder / "salvaged");
+    expect_read(folder / "salvaged", damage + ", salvaged");
+  }
+  /// Every reader of logs either does its work or refuses a log by name.
+  void expect_read(const std::filesystem::path& directory, const std::string& damage) {
+    const auto attempt = [&](const char* reader, const auto& reads) {
+      try {
+        reads();
+      } catch (const InputError& error) {
+        EXPECT_THAT(error.what(), ::testing::HasSubstr(".sqlite")) << reader << ", " << damage;
+      }
+    };
+    attempt("recorded messages", [&] {
+      std::size_t said = 0;
+      RecordedMessages(directory).play([&](TimeNs, const AgentMessage&) { return ++said > 0; });
+      EXPECT_GT(said, 0u) << damage;
+    });
+    std::optional<RunArchive> archive;
+    attempt("archive", [&] { archive = open_run(directory); });
+    if (!archive) return;
+    attempt("verify", [&] {
+      for (const LifeLog& life : archive->lives) verify(life);
+    });
+    attempt("playback", [&] {
+      const Playback playback(*archive);
+      playback.owners(playback.moments().size() / 2);
+    });
+    attempt("explain", [&] { Explainer(*archive, Playback(*archive)); });
+    attempt("view", [&] { EXPECT_TRUE(view_data(*archive).contains("auction")) << damage; });
+    attempt("mcap", [&] { export_mcap(*archive, folder / "run.mcap"); });
+    attempt("csv", [&] { export_csv(*archive, folder / "csv"); });
   }
 };
 
@@ -56,6 +80,7 @@ TEST_F(Damage, CutAnywhere) {
     put_bytes(log, whole.substr(0, size));
     const LogReport report = expect_report_is_true("cut to " + std::to_string(size));
     EXPECT_FALSE(report.whole()) << size;
+    expect_read(run, "cut to " + std::to_string(size));
     most = std::max(most, report.records);
   }
   EXPECT_GT(most, records.size() / 2) << "what lies before the cut counts";
@@ -71,6 +96,7 @@ TEST_F(Damage, AnyPageZeroed) {
     damaged.replace(at, page, page, '\0');
     put_bytes(log, damaged);
     const LogReport report = expect_report_is_true("page " + std::to_string(at / page));
+    expect_read(run, "page " + std::to_string(at / page));
     if (!report.lost.empty() && report.last_seq > report.lost.front().from_seq) ++with_a_gap;
   }
   EXPECT_GT(with_a_gap, whole.size() / page / 2) << "what lies behind the damage counts";
@@ -105,6 +131,7 @@ TEST_F(Damage, WriteAheadLogCutAnywhere) {
     const auto found = readable(log, last);
     EXPECT_EQ(report.records, found.size()) << size;
     EXPECT_EQ(report.wal.lost_commits, 0u) << size;
+    expect_read(run, "write-ahead log cut to " + std::to_string(size));
     // Nothing tells a log that was cut from one whose process was killed, but what others heard.
     if (size < whole.size() * 3 / 4) {
       EXPECT_FALSE(report.whole()) << size;
@@ -126,6 +153,7 @@ TEST_F(Damage, WriteAheadLogFlipped) {
     const LogReport report = report_of(2);
     EXPECT_FALSE(report.whole());
     EXPECT_GT(report.wal.lost_commits, 0u);
+    expect_read(run, "write-ahead log flipped");
     EXPECT_EQ(report.records, report.not_read.empty() ? readable(log, last).size() : 0);
   }
 }
