@@ -16,11 +16,12 @@ export async function launch() {
   return playwright.chromium.launch({ executablePath: chromium, args: FLAGS, timeout: PATIENCE_MS });
 }
 
-/** Opens a file or an address; `problems` fills with console errors and with requests beyond the page's own place. */
-export async function open(browser, what, { width = 1280, height = 800, scheme = 'light' } = {}) {
+/** Opens a file or an address; `before` runs ahead of the page's own scripts; `problems` fills with console errors and with requests beyond the page's own place. */
+export async function open(browser, what, { width = 1280, height = 800, scheme = 'light', before } = {}) {
   const context = await browser.newContext({ viewport: { width, height }, colorScheme: scheme, deviceScaleFactor: 1 });
   const page = await context.newPage();
   page.setDefaultTimeout(PATIENCE_MS);
+  if (before) await page.addInitScript(before);
   const url = what.startsWith('http') ? what : pathToFileURL(what).href;
   const problems = [];
   page.on('console', (message) => {

@@ -4,6 +4,24 @@
 export interface Label { x: number; y: number; text: string; css: string; strong: boolean }
 
 const HEIGHT = 16;
+const FONT = '600 11px system-ui, sans-serif';
+
+/** Text is measured once: asking for it took longer than all else in a frame. */
+const widths = new Map<string, number>();
+
+function widthOf(context: CanvasRenderingContext2D, text: string): number {
+  let width = widths.get(text);
+  if (width === undefined) widths.set(text, (width = context.measureText(text).width + 10));
+  return width;
+}
+
+interface Taken { x: number; y: number; width: number }
+
+function hasRoom(taken: Taken[], { x, y }: Label, width: number): boolean {
+  for (const other of taken)
+    if (Math.abs(other.y - y) < HEIGHT + 4 && Math.abs(other.x - x) < (other.width + width) / 2 + 6) return false;
+  return true;
+}
 
 /** Draws those that fit without lying on each other; strong ones go first. */
 export function drawLabels(canvas: HTMLCanvasElement, labels: Label[], pixel: number, ink: string, paper: string): void {
@@ -11,15 +29,14 @@ export function drawLabels(canvas: HTMLCanvasElement, labels: Label[], pixel: nu
   if (!context) return;
   context.setTransform(pixel, 0, 0, pixel, 0, 0);
   context.clearRect(0, 0, canvas.width, canvas.height);
-  context.font = '600 11px system-ui, sans-serif';
+  context.font = FONT;
   context.textAlign = 'center';
   context.textBaseline = 'middle';
-  const taken: [number, number, number][] = [];
+  const taken: Taken[] = [];
   for (const label of [...labels].sort((a, b) => Number(b.strong) - Number(a.strong))) {
-    const width = context.measureText(label.text).width + 10;
-    const room = !label.strong;
-    if (room && taken.some(([x, y, w]) => Math.abs(x - label.x) < (w + width) / 2 + 6 && Math.abs(y - label.y) < HEIGHT + 4)) continue;
-    taken.push([label.x, label.y, width]);
+    const width = widthOf(context, label.text);
+    if (!label.strong && !hasRoom(taken, label, width)) continue;
+    taken.push({ x: label.x, y: label.y, width });
     context.beginPath();
     context.roundRect(label.x - width / 2, label.y - HEIGHT / 2, width, HEIGHT, 4);
     context.fillStyle = paper;

@@ -128,12 +128,12 @@ export class SceneView {
     const { routes } = this.content!;
     const background = tonesOf(now.dark).background;
     routeStrokes(this.model!).forEach((stroke, i) => {
-      const look = lookOf(this.model!.agentSlot(stroke.agent), now.dark);
       const faint = now.agent !== null && now.agent !== stroke.agent;
-      const key = `${faint}`;
+      const key = faint ? 'faint' : 'plain';
       const slot = now.owners.length + i;
       if (this.painted[slot] === key) return;
       this.painted[slot] = key;
+      const look = lookOf(this.model!.agentSlot(stroke.agent), now.dark);
       routes.paint(i, {
         rgb: mixed(look.rgb, background, faint ? 0.75 : stroke.transit ? 0.3 : 0), pattern: stroke.transit ? 2 : look.pattern,
         hatched: false, width: stroke.transit ? 0.5 : 1.4,
