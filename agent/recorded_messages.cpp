@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/auction/roster.hpp"
 #include "core/auction/validation.hpp"
 #include "core/base/error.hpp"
 #include "core/io/run/agent_log.hpp"
@@ -17,12 +18,6 @@ namespace arcbid {
 namespace {
 
 using Path = std::filesystem::path;
-
-std::vector<AgentId> roster_of(const Mission& mission) {
-  std::vector<AgentId> out;
-  for (const Uav& uav : mission.fleet) out.push_back(uav.id);
-  return out;
-}
 
 std::vector<AgentMessage> said_in(Step step) {
   std::vector<AgentMessage> said;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/auction/roster.hpp"
 #include "core/base/error.hpp"
 
 namespace arcbid {
@@ -12,12 +13,6 @@ namespace {
 
 constexpr TimeNs resend_ticks = 4;    // own statements, until everybody confirmed them
 constexpr TimeNs patience_ticks = 8;  // before somebody else's statement is relayed
-
-std::vector<AgentId> roster_of(const Mission& mission) {
-  std::vector<AgentId> roster;
-  for (const Uav& uav : mission.fleet) roster.push_back(uav.id);
-  return roster;
-}
 
 const Uav& uav_of(const Mission& mission, AgentId self) {
   const auto at = std::find_if(mission.fleet.begin(), mission.fleet.end(),

@@ -5,9 +5,17 @@
 #include <optional>
 #include <vector>
 
+#include "core/arcs/mission.hpp"
 #include "core/base/ids.hpp"
 
 namespace arcbid {
+
+/// The ids of a mission's fleet, which ascend.
+inline std::vector<AgentId> roster_of(const Mission& mission) {
+  std::vector<AgentId> roster;
+  for (const Uav& uav : mission.fleet) roster.push_back(uav.id);
+  return roster;
+}
 
 /// Where an agent stands in a roster of ascending ids.
 inline std::optional<std::size_t> position_in(const std::vector<AgentId>& roster, AgentId agent) {

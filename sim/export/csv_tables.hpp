@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/seconds.hpp"
 #include "sim/export/csv.hpp"
 #include "sim/export/statements.hpp"
 
 namespace arcbid {
-
-inline double seconds(TimeNs ns) {
-  return static_cast<double>(ns) / 1e9;  // "0.25", not "0.25000000000000006"
-}
 
 /// The tables that a run's steps fill, one step after the other.
 class StepTables {

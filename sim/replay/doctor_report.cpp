@@ -3,16 +3,13 @@
 
 #include <algorithm>
 
+#include "core/base/seconds.hpp"
 #include "sim/replay/doctor.hpp"
 
 namespace arcbid {
 namespace {
 
 using nlohmann::json;
-
-double seconds(TimeNs ns) {
-  return static_cast<double>(ns) / 1e9;
-}
 
 std::string range(std::int64_t from, std::optional<std::int64_t> to) {
   if (!to) return fmt::format("from {} on", from);

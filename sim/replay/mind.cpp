@@ -9,12 +9,6 @@
 namespace arcbid {
 namespace {
 
-std::vector<AgentId> roster_of(const Mission& mission) {
-  std::vector<AgentId> roster;
-  for (const Uav& uav : mission.fleet) roster.push_back(uav.id);
-  return roster;
-}
-
 /// A table does not say in which order tasks were taken; bids never rise along a bundle.
 std::vector<Claim> bundle_of(const StatementBody& body, AgentId self) {
   if (const auto* claims = std::get_if<Claims>(&body)) return claims->bundle;

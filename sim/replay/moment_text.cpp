@@ -8,14 +8,12 @@
 #include <array>
 #include <map>
 
+#include "core/base/seconds.hpp"
+
 namespace arcbid {
 namespace {
 
 constexpr std::size_t most_named = 6;  // tasks that are named one by one
-
-double seconds(TimeNs t_ns) {
-  return static_cast<double>(t_ns) * 1e-9;
-}
 
 struct Heard {
   std::string operator()(const Tick& tick) const {

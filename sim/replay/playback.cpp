@@ -3,16 +3,11 @@
 
 #include <algorithm>
 
+#include "core/auction/roster.hpp"
 #include "core/base/error.hpp"
 
 namespace arcbid {
 namespace {
-
-std::vector<AgentId> roster_of(const Mission& mission) {
-  std::vector<AgentId> roster;
-  for (const Uav& uav : mission.fleet) roster.push_back(uav.id);
-  return roster;
-}
 
 std::size_t fleet_position(const Mission& mission, AgentId agent) {
   const auto roster = roster_of(mission);
