@@ -30,11 +30,12 @@ std::vector<AgentMessage> said_in(Step step) {
 /// What an agent of the mission can have said: a record that still reads may be damaged.
 class Sayable {
  public:
-  explicit Sayable(const Mission& mission) : view_(roster_of(mission)) {
+  /// `named`: by which digests the fleet spoke of the mission. Another build's may be others.
+  Sayable(const Mission& mission, const Header& named) : view_(roster_of(mission)) {
     const AuctionSettings& auction = mission.auction;
     const TaskSet tasks = split(mission.arcs, auction.split_m, auction.max_tasks);
-    expected_ = {digest(mission), tasks.digest,   tasks.tasks.size(),
-                 AgentId{},       auction.policy, auction.bundle_limit};
+    expected_ = {named.mission_digest, named.task_digest,   tasks.tasks.size(), AgentId{},
+                 auction.policy,       auction.bundle_limit};
   }
   std::optional<std::string> refusal(const AgentMessage& message) const {
     return std::visit(
@@ -73,7 +74,7 @@ class Scan {
   std::string first_lost;
   std::size_t lost = 0;
 
-  explicit Scan(const RunLogReader& log) {
+  Scan(const RunLogReader& log, const LogSchemas& schemas) : schemas_(schemas) {
     log.read_intact(
         [this](const RunLogReader::Record& record) {
           try {
@@ -90,26 +91,27 @@ class Scan {
 
  private:
   void take(const RunLogReader::Record& record) {
-    if (record.kind == log_kind::mission) mission = decode<Mission>(record.body);
+    if (record.kind == log_kind::mission) mission = schemas_.decode<Mission>(record);
     if (record.kind != log_kind::step) return;
     if (!mission) throw InputError("a step before its mission");
-    const auto said = said_in(decode<Step>(record.body));
-    if (!said.empty() && !sayable_) trust_mission(header_of(said.front()).mission_digest);
+    const auto said = said_in(schemas_.decode<Step>(record));
+    if (!said.empty() && !sayable_) trust_mission(header_of(said.front()));
     for (const AgentMessage& message : said)
       if (const auto reason = sayable_->refusal(message)) throw InputError(*reason);
     steps.emplace_back(record.t_ns, record.seq);
   }
   /// A mission that is damaged may well be one still, but not the one that the agent spoke of.
-  void trust_mission(std::uint64_t named) {
-    if (named != digest(*mission))
+  void trust_mission(const Header& named) {
+    if (!schemas_.other() && named.mission_digest != digest(*mission))
       throw InputError(fmt::format("its messages name mission {:016x}, its record holds {:016x}",
-                                   named, digest(*mission)));
-    sayable_.emplace(*mission);
+                                   named.mission_digest, digest(*mission)));
+    sayable_.emplace(*mission, named);
   }
   void lose(std::int64_t seq, const std::string& why) {
     if (lost++ == 0) first_lost = fmt::format("record {}: {}", seq, why);
   }
 
+  const LogSchemas& schemas_;
   std::optional<Sayable> sayable_;
 };
 
@@ -125,11 +127,14 @@ RecordedMessages::RecordedMessages(const Path& run) {
 }
 
 void RecordedMessages::read(const Path& file) {
-  std::unique_ptr<RunLogReader> log;
+  std::optional<Log> log;
   std::optional<Scan> scan;
   try {
-    log = std::make_unique<RunLogReader>(file);
-    scan.emplace(*log);
+    auto reader = std::make_unique<RunLogReader>(file);
+    LogSchemas schemas(*reader);
+    schemas.demand_read();
+    log.emplace(Log{std::move(reader), std::move(schemas)});
+    scan.emplace(*log->reader, log->schemas);
   } catch (const InputError& error) {
     left_out_.emplace_back(error.what());
     return;
@@ -144,7 +149,7 @@ void RecordedMessages::read(const Path& file) {
                                  file.string(), digest(*scan->mission), digest(mission_)));
   mission_ = std::move(*scan->mission);
   for (const auto& [t_ns, seq] : scan->steps) steps_.push_back({t_ns, logs_.size(), seq});
-  logs_.push_back(std::move(log));
+  logs_.push_back(std::move(*log));
 }
 
 std::vector<AgentId> RecordedMessages::fleet() const {
@@ -155,9 +160,10 @@ void RecordedMessages::play(
     const std::function<bool(TimeNs t_ns, const AgentMessage& message)>& take) const {
   for (const Place& place : steps_) {
     std::vector<AgentMessage> said;
-    logs_[place.log]->read_intact(
+    const Log& log = logs_[place.log];
+    log.reader->read_intact(
         [&](const RunLogReader::Record& record) {
-          if (record.seq == place.seq) said = said_in(decode<Step>(record.body));
+          if (record.seq == place.seq) said = said_in(log.schemas.decode<Step>(record));
           return false;
         },
         [](const RunLogReader::Lost&) {}, place.seq);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/io/record/records.hpp"
+#include "core/io/run/log_schemas.hpp"
 #include "core/io/run/run_log_reader.hpp"
 
 namespace arcbid {
@@ -39,10 +40,14 @@ class RecordedMessages {
     std::int64_t seq = 0;
     friend auto operator<=>(const Place&, const Place&) = default;
   };
+  struct Log {
+    std::unique_ptr<RunLogReader> reader;
+    LogSchemas schemas;
+  };
   void read(const std::filesystem::path& file);
 
   Mission mission_;
-  std::vector<std::unique_ptr<RunLogReader>> logs_;
+  std::vector<Log> logs_;
   std::vector<Place> steps_;
   std::vector<std::string> left_out_;
 };

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/commands/tell.hpp"
 #include "sim/replay/diff.hpp"
 
 namespace arcbid {
@@ -48,6 +49,8 @@ DiffCommand::DiffCommand(CLI::App& app)
 
 Exit DiffCommand::run() const {
   const OpenRun a(first_), b(second_);
+  tell_unverifiable(a.run);
+  tell_unverifiable(b.run);
   const RunDiff found = diff(a, b);
   fmt::print("{}\n", found.settings.empty() ? "the same mission" : "not the same mission");
   for (const std::string& line : found.settings) fmt::print("  {}\n", line);

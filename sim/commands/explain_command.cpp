@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "sim/commands/explain_report.hpp"
+#include "sim/commands/tell.hpp"
 
 namespace arcbid {
 namespace {
@@ -37,6 +38,7 @@ ExplainCommand::ExplainCommand(CLI::App& app)
 
 Exit ExplainCommand::run() const {
   const RunArchive run = open_run(run_);
+  tell_unverifiable(run);
   if (task_ && *task_ >= run.tasks.tasks.size())
     throw InputError(
         fmt::format("--task {}: {} has tasks 0 to {}", *task_, run_, run.tasks.tasks.size() - 1));

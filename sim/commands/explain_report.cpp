@@ -65,15 +65,23 @@ void ExplainReport::add(TaskId id) {
     if (told.kind == Explanation::Kind::owner) out["owner"] = told.agent.value;
   }
   if (story.empty()) line("  nobody ever bid for it");
-  if (const Explanation* drop = decisive_drop(story))
-    if (const auto other = without_message(run_, *drop)) {
-      line("  without {}, which made agent {} drop it in round {}:", describe(*drop->source),
-           drop->agent.value, drop->round);
-      out["without_message"] = tell(*other);
-    }
+  if (const Explanation* drop = decisive_drop(story); drop && drop->source)
+    out["without_message"] = tell_without(*drop);
   if (const Explanation* death = decisive_death(story))
     out["with_agent_alive"] = tell(*death, alive(*death));
   json_["tasks"].push_back(std::move(out));
+}
+
+Json ExplainReport::tell_without(const Explanation& drop) {
+  try {
+    const WithoutMessage other = without_message(run_, drop).value();
+    line("  without {}, which made agent {} drop it in round {}:", describe(*drop.source),
+         drop.agent.value, drop.round);
+    return tell(other);
+  } catch (const InputError& error) {
+    line("  without {}: cannot be told: {}", describe(*drop.source), error.what());
+    return {{"message", id_of(drop.source->id)}, {"problem", error.what()}};
+  }
 }
 
 Json ExplainReport::tell(const WithoutMessage& other) {

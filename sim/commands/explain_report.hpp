@@ -31,6 +31,7 @@ class ExplainReport {
     std::string problem;  ///< why there is no such world
   };
   const Alive& alive(const Explanation& death);
+  nlohmann::json tell_without(const Explanation& drop);
   nlohmann::json tell(const WithoutMessage& other);
   nlohmann::json tell(const Explanation& death, const Alive& worlds);
   template <class... T>

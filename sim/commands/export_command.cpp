@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/commands/tell.hpp"
 #include "sim/export/csv_export.hpp"
 #include "sim/export/mcap_export.hpp"
 
@@ -44,6 +45,7 @@ Exit ExportCommand::run() const {
     for (const Path& file : csv_files(csv_)) expect_free(file, "--csv");
   const RunArchive run = open_run(run_);
   for (const std::string& problem : run.unreadable) fmt::print("left out: {}\n", problem);
+  tell_unverifiable(run);
   if (!mcap_.empty()) {
     for (const std::string& missing : export_mcap(run, mcap_))
       fmt::print("left out: {}\n", missing);

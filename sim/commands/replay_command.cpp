@@ -10,6 +10,7 @@
 
 #include "core/io/build/build.hpp"
 #include "sim/commands/replay_terminal.hpp"
+#include "sim/commands/tell.hpp"
 #include "sim/replay/verify.hpp"
 
 namespace arcbid {
@@ -77,6 +78,7 @@ Exit ReplayCommand::run(const std::filesystem::path& programs) const {
 Exit ReplayCommand::play() const {
   const RunArchive run = open_run(run_);
   for (const std::string& problem : run.unreadable) fmt::print("left out: {}\n", problem);
+  tell_unverifiable(run);
   MomentFilter filter;
   const std::vector<Uav>& fleet = run.mission->fleet;
   if (agent_ && std::none_of(fleet.begin(), fleet.end(),

@@ -9,11 +9,21 @@
 
 #include "core/io/process/process.hpp"
 #include "core/io/run/run_files.hpp"
+#include "sim/commands/tell.hpp"
 #include "sim/view/page.hpp"
 #include "sim/view/server.hpp"
 #include "sim/view/view_data.hpp"
 
 namespace arcbid {
+namespace {
+
+RunArchive opened(const std::filesystem::path& directory) {
+  RunArchive run = open_run(directory);
+  tell_unverifiable(run);
+  return run;
+}
+
+}  // namespace
 
 ViewCommand::ViewCommand(CLI::App& app)
     : view_(app.add_subcommand("view", "see a run in a browser, also while it goes on")),
@@ -30,7 +40,7 @@ Exit ViewCommand::run(const std::filesystem::path& programs) const {
   if (view_->parsed()) return serve(programs);
   const std::filesystem::path run = run_;
   if (!data_.empty()) {
-    write_whole(data_, view_data(open_run(run)).dump());
+    write_whole(data_, view_data(opened(run)).dump());
     return Exit::done;
   }
   write_report(run, programs, out_.empty() ? run / "report.html" : std::filesystem::path(out_));
@@ -38,8 +48,9 @@ Exit ViewCommand::run(const std::filesystem::path& programs) const {
 }
 
 Exit ViewCommand::serve(const std::filesystem::path& programs) const {
-  // Of a run that has ended, what is wrong with it is said here; one that begins may yet come to be.
-  if (std::filesystem::exists(std::filesystem::path(run_) / "result.json")) open_run(run_);
+  // Of a run that has ended, what is wrong with it is said here; one that begins may yet come to
+  // be.
+  if (std::filesystem::exists(std::filesystem::path(run_) / "result.json")) opened(run_);
   const ViewServer server(run_, programs, port_);
   fmt::print("{} is at {} until Ctrl-C\n", run_, server.address());
   std::fflush(stdout);
@@ -50,7 +61,7 @@ Exit ViewCommand::serve(const std::filesystem::path& programs) const {
 void write_report(const std::filesystem::path& run, const std::filesystem::path& programs,
                   const std::filesystem::path& out) {
   std::string page = viewer_page(programs);
-  write_whole(out, report_page(std::move(page), view_data(open_run(run)).dump()));
+  write_whole(out, report_page(std::move(page), view_data(opened(run)).dump()));
   fmt::print("{:<20}{}\n", "report", out.string());
 }
 

@@ -11,6 +11,7 @@
 
 #include "core/base/error.hpp"
 #include "core/io/build/build.hpp"
+#include "core/io/run/agent_log.hpp"
 #include "core/io/structure_reader.hpp"
 #include "sim/export/scene.hpp"
 #include "sim/export/statements.hpp"
@@ -118,7 +119,10 @@ class Exporter {
     AgentTopics& topics = of_.at(at.life.agent());
     const std::uint64_t log_ns = stamp(at.t_ns), own_ns = stamp(at.mark.t_ns);
     const Update& update = at.step.update;
-    writer_.write(topics.step, static_cast<std::uint32_t>(at.mark.seq), log_ns, own_ns, at.bytes);
+    // All lives share a topic, and a topic has one schema.
+    const bool is_own = !at.life.schemas().of(log_kind::step);
+    writer_.write(topics.step, static_cast<std::uint32_t>(at.mark.seq), log_ns, own_ns,
+                  is_own ? at.bytes : std::string_view(encode(at.step)));
     const auto sent = [&](mcap::ChannelId channel, const auto& messages) {
       for (const auto& message : messages)
         writer_.write(channel, static_cast<std::uint32_t>(message.header.sequence), log_ns, own_ns,

@@ -86,7 +86,9 @@ class OnceMore {
 
 std::optional<WithoutMessage> without_message(const RunArchive& run, const Explanation& drop) {
   if (!drop.source) return std::nullopt;
-  return OnceMore(run.lives.at(drop.life), drop).run();
+  const LifeLog& life = run.lives.at(drop.life);
+  life.schemas().demand_own();
+  return OnceMore(life, drop).run();
 }
 
 const Explanation* decisive_drop(const std::vector<Explanation>& story) {

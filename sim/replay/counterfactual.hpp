@@ -28,7 +28,8 @@ struct WithoutMessage {
   std::uint64_t bids = 0, bids_logged = 0;  ///< sent from the message on, without it and with it
 };
 
-/// Of an outbid or released task, when a message was the cause; else none.
+/// Of an outbid or released task, when a message was the cause; else none. Throws InputError, one
+/// line, for a log of another schema: this build's core may not be what wrote it.
 std::optional<WithoutMessage> without_message(const RunArchive& run, const Explanation& drop);
 
 /// The last time that somebody who does not have the task now dropped it; null: nobody did.

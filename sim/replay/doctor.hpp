@@ -32,8 +32,9 @@ struct LogReport {
   std::size_t records = 0;   ///< intact ones
   std::int64_t first_seq = 0, last_seq = 0;
   TimeNs first_ns = 0, last_ns = 0;
-  std::vector<RunLogReader::Lost> lost;  ///< ascending
-  std::vector<std::string> complaints;   ///< of SQLite, where it found damage
+  std::vector<RunLogReader::Lost> lost;                    ///< ascending
+  std::vector<std::string> complaints;                     ///< of SQLite, where it found damage
+  std::optional<std::string> other_schema, unread_schema;  ///< LogSchemas
   WalState wal;
   std::optional<std::string> ended_by;  ///< none: killed, its log ends without a word
   std::optional<HeardOnly> heard_only;

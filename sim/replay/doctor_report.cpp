@@ -73,6 +73,8 @@ std::string heard_only(const LogReport& log) {
 
 std::vector<std::string> particulars(const LogReport& log) {
   std::vector<std::string> out;
+  if (log.other_schema) out.push_back("plays, but cannot be verified: " + *log.other_schema);
+  if (log.unread_schema) out.push_back("does not play: " + *log.unread_schema);
   for (const auto& lost : log.lost)
     out.push_back(fmt::format("lost: records {}: {}", range(lost.from_seq, lost.to_seq), lost.why));
   if (!log.lost.empty() && log.records > 0) out.push_back("intact: records " + intact(log));
@@ -135,6 +137,8 @@ json to_json(const RunReport& report) {
                     {"last", {{"seq", log.last_seq}, {"t_ns", log.last_ns}}},
                     {"lost", lost},
                     {"quick_check", log.complaints},
+                    {"other_schema", log.other_schema ? json(*log.other_schema) : json()},
+                    {"unread_schema", log.unread_schema ? json(*log.unread_schema) : json()},
                     {"wal",
                      {{"commits", log.wal.commits},
                       {"lost_commits", log.wal.lost_commits},

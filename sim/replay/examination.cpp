@@ -7,6 +7,7 @@
 
 #include "core/base/error.hpp"
 #include "core/io/run/agent_log.hpp"
+#include "core/io/run/log_schemas.hpp"
 
 namespace arcbid {
 namespace {
@@ -48,9 +49,12 @@ class Examination {
     }
     try {
       const RunLogReader reader(log_.file);
+      const LogSchemas schemas(reader);
+      log_.other_schema = schemas.other();
+      log_.unread_schema = schemas.unread();
       const json process = reader.meta("process");
       if (process.is_object()) log_.pid = number_in(process.value("pid", json()));
-      reader.read_intact([this](const auto& record) { return take(record); },
+      reader.read_intact([&](const auto& record) { return take(record, schemas); },
                          [this](const auto& lost) { lose(log_, lost); });
       log_.complaints = reader.complaints();
     } catch (const InputError& error) {
@@ -59,9 +63,9 @@ class Examination {
   }
 
  private:
-  bool take(const RunLogReader::Record& record) {
+  bool take(const RunLogReader::Record& record, const LogSchemas& schemas) {
     try {
-      understand(record);
+      understand(record, schemas.of(record.kind));
     } catch (const InputError& error) {
       lose(log_, {record.seq, record.seq, fmt::format("{}: {}", record.kind, error.what())});
       return true;
@@ -72,13 +76,14 @@ class Examination {
     return true;
   }
 
-  void understand(const RunLogReader::Record& record) {
-    if (record.kind == log_kind::step) return understand(decode<Step>(record.body), record.t_ns);
-    if (record.kind == log_kind::mission) return void(decode<Mission>(record.body));
-    if (record.kind == log_kind::birth) return void(decode<Birth>(record.body));
-    if (record.kind == log_kind::route) return void(decode<PlannedRoute>(record.body));
+  void understand(const RunLogReader::Record& record, const StoredSchema* stored) {
+    if (record.kind == log_kind::step)
+      return understand(decode<Step>(record.body, stored), record.t_ns);
+    if (record.kind == log_kind::mission) return void(decode<Mission>(record.body, stored));
+    if (record.kind == log_kind::birth) return void(decode<Birth>(record.body, stored));
+    if (record.kind == log_kind::route) return void(decode<PlannedRoute>(record.body, stored));
     if (record.kind == log_kind::heard_status)
-      return hear(decode<StatusMessage>(record.body).header, record.t_ns);
+      return hear(decode<StatusMessage>(record.body, stored).header, record.t_ns);
     const json body = json::parse(record.body, nullptr, false);
     if (body.is_discarded()) throw InputError("is not JSON");
     if (record.kind == log_kind::end) log_.ended_by = end_in(body);

@@ -36,35 +36,16 @@ const Statement* statement_in(const Event& event) {
   return nullptr;
 }
 
-/// Calls `decodes`; what it throws then names the record.
-void named(const RunLogReader::Record& record, const std::filesystem::path& file,
-           const std::function<void()>& decodes) {
-  try {
-    decodes();
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: record {} ({}): {}", file.string(), record.seq, record.kind,
-                                 error.what()));
-  }
-}
-
-template <class Record>
-Record decoded(const RunLogReader::Record& record, const std::filesystem::path& file) {
-  Record out;
-  named(record, file, [&] { out = decode<Record>(record.body); });
-  return out;
-}
-
 }  // namespace
 
 LifeLog::LifeLog(const std::filesystem::path& file)
-    : reader_(std::make_unique<RunLogReader>(file)) {
+    : reader_(std::make_unique<RunLogReader>(file)), schemas_(*reader_) {
   read_head();
   index();
 }
 
 void LifeLog::read_head() {
   const auto process = reader_->meta("process");
-  const auto build = reader_->meta("build");
   const auto seed = reader_->meta("seed");
   if (!process.is_object() || !process.value("agent", nlohmann::json()).is_number_unsigned())
     throw InputError(
@@ -73,13 +54,7 @@ void LifeLog::read_head() {
   incarnation_ = process.value("incarnation", std::uint64_t{0});
   pid_ = process.value("pid", std::uint64_t{0});
   seed_ = seed.is_number_unsigned() ? seed.get<std::uint64_t>() : 0;
-  if (build.is_object())
-    build_ = fmt::format("{} {}", build.value("version", "?"), build.value("commit", ""));
-  for (const RecordKind& kind : reader_->kinds())
-    if (kind.name == log_kind::step && !kind.schema.empty() && kind.schema != schema_of<Step>())
-      throw InputError(
-          fmt::format("{}: its steps have another schema than this build's: written by arcbid {}",
-                      file().string(), build_));
+  schemas_.demand_read();
 }
 
 void LifeLog::index() {
@@ -109,12 +84,12 @@ void LifeLog::take(const RunLogReader::Record& record, Step& room) {
   if (record.kind == log_kind::step) {
     if (!birth_ || !mission_)
       throw InputError(fmt::format("{}: a step before its birth", file().string()));
-    named(record, file(), [&] { decode_into(room, record.body); });
+    schemas_.decode_into(room, record);
     if (const auto problem = misfit(room, *mission_, tasks_))
       throw InputError(fmt::format("{}: record {}: {}", file().string(), record.seq, *problem));
     mark(record, room);
   } else if (record.kind == log_kind::mission) {
-    mission_ = std::make_shared<const Mission>(decoded<Mission>(record, file()));
+    mission_ = std::make_shared<const Mission>(schemas_.decode<Mission>(record));
     mission_digest_ = digest(*mission_);
     born_ns_ = record.t_ns;
     learnt_.resize(mission_->fleet.size());
@@ -128,7 +103,7 @@ void LifeLog::take(const RunLogReader::Record& record, Step& room) {
       throw InputError(
           fmt::format("{}: agent {} is not of its mission's fleet", file().string(), agent_.value));
   } else if (record.kind == log_kind::birth) {
-    const Birth birth = decoded<Birth>(record, file());
+    const Birth birth = schemas_.decode<Birth>(record);
     if (birth.agent != agent_ || birth.incarnation == 0)
       throw InputError(
           fmt::format("{}: holds the birth of agent {}, life {}; legal: agent {}, "
@@ -181,7 +156,9 @@ void LifeLog::mark(const RunLogReader::Record& record, const Step& step) {
   for (const BidMessage& bid : update.bids) learn(bid.statement, true);
 }
 
+/// The digest of a mission that another build laid out is that build's secret.
 void LifeLog::expect_mission(std::uint64_t named) {
+  if (schemas_.other()) return;
   (named == mission_digest_ ? names_mission_ : names_another_) = true;
   if (named != mission_digest_)
     throw InputError(fmt::format("{}: its messages name mission {:016x}, its record holds {:016x}",
@@ -212,7 +189,7 @@ Step LifeLog::step(std::size_t mark) const {
   std::optional<Step> found;
   reader_->read(
       [&](const RunLogReader::Record& record) {
-        found = decoded<Step>(record, file());
+        found = schemas_.decode<Step>(record);
         return false;
       },
       marks_.at(mark).seq);
@@ -230,7 +207,7 @@ void LifeLog::steps(
       [&](const RunLogReader::Record& record) {
         if (record.seq != marks_[at].seq) return true;
         const std::size_t mark = at++;
-        return take(mark, decoded<Step>(record, file()), record.body) && at < marks_.size();
+        return take(mark, schemas_.decode<Step>(record), record.body) && at < marks_.size();
       },
       [](const RunLogReader::Lost&) {}, marks_[from].seq);
 }
@@ -238,7 +215,7 @@ void LifeLog::steps(
 std::vector<PlannedRoute> LifeLog::routes() const {
   std::vector<PlannedRoute> out;
   const auto take = [&](const RunLogReader::Record& record) {
-    if (record.kind == log_kind::route) out.push_back(decoded<PlannedRoute>(record, file()));
+    if (record.kind == log_kind::route) out.push_back(schemas_.decode<PlannedRoute>(record));
     return true;
   };
   if (!damage_) {

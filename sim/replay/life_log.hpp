@@ -10,6 +10,7 @@
 
 #include "core/arcs/mission.hpp"
 #include "core/io/record/records.hpp"
+#include "core/io/run/log_schemas.hpp"
 #include "core/io/run/run_log_reader.hpp"
 
 namespace arcbid {
@@ -54,7 +55,8 @@ class LifeLog {
   std::uint64_t incarnation() const { return incarnation_; }
   std::uint64_t pid() const { return pid_; }
   std::uint64_t seed() const { return seed_; }
-  const std::string& build() const { return build_; }  ///< "0.1.0 a8a2cbd"
+  const std::string& build() const { return schemas_.build(); }  ///< "0.1.0 a8a2cbd"
+  const LogSchemas& schemas() const { return schemas_; }
   /// Null: this life never had the mission, and there are no steps.
   const std::shared_ptr<const Mission>& mission() const { return mission_; }
   const std::optional<Birth>& birth() const { return birth_; }
@@ -90,9 +92,10 @@ class LifeLog {
   std::size_t position(AgentId agent) const;
 
   std::unique_ptr<RunLogReader> reader_;
+  LogSchemas schemas_;
   AgentId agent_;
   std::uint64_t incarnation_ = 0, pid_ = 0, seed_ = 0;
-  std::string build_, ended_by_;
+  std::string ended_by_;
   std::shared_ptr<const Mission> mission_;
   std::optional<Birth> birth_;
   std::uint64_t mission_digest_ = 0;

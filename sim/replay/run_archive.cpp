@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <fstream>
 #include <future>
+#include <map>
 #include <thread>
 
 #include "core/base/error.hpp"
@@ -74,6 +75,19 @@ RunArchive open_run(const Path& directory) {
       split(run.mission->arcs, run.mission->auction.split_m, run.mission->auction.max_tasks);
   run.result = result_of(directory);
   return run;
+}
+
+std::vector<std::string> unverifiable(const RunArchive& run) {
+  std::map<std::string, std::vector<std::string>> files;  // by what is to be said of them
+  for (const LifeLog& life : run.lives)
+    if (const auto& other = life.schemas().other())
+      files[*other].push_back(life.file().filename().string());
+  std::vector<std::string> out;
+  for (const auto& [why, of] : files)
+    out.push_back(fmt::format(
+        "{}{}: plays, but cannot be verified: {}", of.front(),
+        of.size() > 1 ? fmt::format(" and {} more", of.size() - 1) : std::string(), why));
+  return out;
 }
 
 }  // namespace arcbid

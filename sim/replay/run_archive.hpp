@@ -26,4 +26,8 @@ struct RunArchive {
 /// have different ones.
 RunArchive open_run(const std::filesystem::path& run);
 
+/// Which of the logs that play cannot be verified and why, one line for each arcbid that wrote
+/// some.
+std::vector<std::string> unverifiable(const RunArchive& run);
+
 }  // namespace arcbid

@@ -122,6 +122,7 @@ class RouteVerifier {
 }  // namespace
 
 LifeVerdict verify(const LifeLog& life) {
+  life.schemas().demand_own();
   LifeVerdict verdict;
   const auto transit = std::make_shared<const StraightTransit>();
   Agent agent(life.birth()->agent, life.birth()->incarnation, life.mission(), transit,

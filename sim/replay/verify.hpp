@@ -28,7 +28,8 @@ struct LifeVerdict {
 
 /// Feeds the agent's state machine what its log says it consumed, and demands what it says it
 /// produced: decisions, bundles, paths, y, z, messages, proofs, and the tours planned from them. A
-/// log that ends early or is damaged is held to what is on record before the damage.
+/// log that ends early or is damaged is held to what is on record before the damage. Throws
+/// InputError, one line, for a log of another schema.
 LifeVerdict verify(const LifeLog& life);
 
 /// One line: agent, round, arc, both values.

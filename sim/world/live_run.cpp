@@ -16,6 +16,7 @@
 #include "core/io/run/arcs_json.hpp"
 #include "core/io/run/json_place.hpp"
 #include "core/io/run/log_files.hpp"
+#include "core/io/run/log_schemas.hpp"
 #include "core/io/run/run_log_reader.hpp"
 
 namespace arcbid {
@@ -72,6 +73,9 @@ class LifeReader {
           fmt::format("{}: this life never had the mission", file.filename().string()));
       return;
     }
+    const LogSchemas schemas(log);
+    // What the mission does not have would be made up: another run than this.
+    if (schemas.of(log_kind::mission)) schemas.demand_own();
     take(mission_in(mission->body, file), file);
     life.born_ns = mission->t_ns;
     life.last_ns = log.last_ns();

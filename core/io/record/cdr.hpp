@@ -18,6 +18,16 @@ concept Number = std::is_arithmetic_v<T> && !std::same_as<T, bool>;
 template <class T>
 concept IsId = std::same_as<T, AgentId> || std::same_as<T, TaskId> || std::same_as<T, ArcId>;
 
+/// The highest value of a bool or an enum.
+template <class T>
+constexpr std::uint8_t most_of() {
+  if constexpr (std::same_as<T, bool>) return 1;
+  if constexpr (std::same_as<T, Phase>) return static_cast<std::uint8_t>(Phase::routed);
+  if constexpr (std::same_as<T, ArcKind>) return static_cast<std::uint8_t>(ArcKind::underside_row);
+  if constexpr (std::same_as<T, PolicyKind>) return policy_names.size() - 1;
+  if constexpr (std::same_as<T, ScoreKind>) return score_names.size() - 1;
+}
+
 template <class Cdr>
 class CdrWriter {
  public:
@@ -122,17 +132,8 @@ class CdrReader {
   void get_small(T& value) {
     std::uint8_t byte = 0;
     cdr_ >> byte;
-    const auto most = static_cast<std::uint8_t>(most_of<T>());
-    if (byte > most) refuse(fmt::format("{}, legal: 0 to {}", byte, most));
+    if (byte > most_of<T>()) refuse(fmt::format("{}, legal: 0 to {}", byte, most_of<T>()));
     value = static_cast<T>(byte);
-  }
-  template <class T>
-  static constexpr std::size_t most_of() {
-    if constexpr (std::same_as<T, bool>) return 1;
-    if constexpr (std::same_as<T, Phase>) return static_cast<std::size_t>(Phase::routed);
-    if constexpr (std::same_as<T, ArcKind>) return static_cast<std::size_t>(ArcKind::underside_row);
-    if constexpr (std::same_as<T, PolicyKind>) return policy_names.size() - 1;
-    if constexpr (std::same_as<T, ScoreKind>) return score_names.size() - 1;
   }
   template <class T>
   void get(std::vector<T>& values) {

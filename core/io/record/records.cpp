@@ -9,6 +9,7 @@
 
 #include "core/io/record/cdr.hpp"
 #include "core/io/record/json.hpp"
+#include "core/io/record/named_reader.hpp"
 #include "core/io/record/schema.hpp"
 
 namespace arcbid {
@@ -39,12 +40,17 @@ std::string encoded(const Record& record) {
 }
 
 template <class Record>
-void read_into(Record& record, std::string_view bytes) {
+void read_into(Record& record, std::string_view bytes, const StoredSchema* stored) {
   // Fast CDR reads from where it could also write.
   FastBuffer buffer(const_cast<char*>(bytes.data()), bytes.size());
   Cdr cdr(buffer, Cdr::LITTLE_ENDIANNESS, Cdr::DDS_CDR);
   try {
     cdr.read_encapsulation();
+    if (stored) {
+      record = {};
+      NamedReader(cdr).read(stored->record(), record);
+      return;
+    }
     CdrReader reader(cdr, bytes.size());
     fields(reader, record);
   } catch (const eprosima::fastcdr::exception::Exception& error) {
@@ -53,16 +59,16 @@ void read_into(Record& record, std::string_view bytes) {
 }
 
 template <class Record>
-Record decoded(std::string_view bytes) {
+Record decoded(std::string_view bytes, const StoredSchema* stored) {
   Record record;
-  read_into(record, bytes);
+  read_into(record, bytes, stored);
   return record;
 }
 
 }  // namespace
 
-void decode_into(Step& record, std::string_view bytes) {
-  read_into(record, bytes);
+void decode_into(Step& record, std::string_view bytes, const StoredSchema* stored) {
+  read_into(record, bytes, stored);
 }
 
 #define ARCBID_ENCODED(Type)                \
@@ -77,10 +83,10 @@ void decode_into(Step& record, std::string_view bytes) {
   std::string_view name_of_record<Type>() { \
     return record_name<Type>;               \
   }
-#define ARCBID_DECODED(Type)            \
-  template <>                           \
-  Type decode(std::string_view bytes) { \
-    return decoded<Type>(bytes);        \
+#define ARCBID_DECODED(Type)                                        \
+  template <>                                                       \
+  Type decode(std::string_view bytes, const StoredSchema* stored) { \
+    return decoded<Type>(bytes, stored);                            \
   }
 #define ARCBID_SHOWN(Type)                     \
   nlohmann::json to_json(const Type& record) { \

@@ -43,25 +43,28 @@ std::string encode(const StatusMessage& record);
 std::string encode(const DecisionMade& record);
 std::string encode(const Agreement& record);
 
-/// Reads back what encode() wrote. Throws InputError, one line without a file's name, for anything
-/// else.
+class StoredSchema;
+
+/// Reads back what encode() wrote; with `stored`, what another build wrote by that schema: by the
+/// fields' names, what it does not have by default. Throws InputError, one line without a file's
+/// name, for anything else.
 template <class Record>
-Record decode(std::string_view bytes);
+Record decode(std::string_view bytes, const StoredSchema* stored = nullptr);
 template <>
-Step decode(std::string_view bytes);
+Step decode(std::string_view bytes, const StoredSchema* stored);
 template <>
-Birth decode(std::string_view bytes);
+Birth decode(std::string_view bytes, const StoredSchema* stored);
 template <>
-PlannedRoute decode(std::string_view bytes);
+PlannedRoute decode(std::string_view bytes, const StoredSchema* stored);
 template <>
-Mission decode(std::string_view bytes);
+Mission decode(std::string_view bytes, const StoredSchema* stored);
 template <>
-StatusMessage decode(std::string_view bytes);
+StatusMessage decode(std::string_view bytes, const StoredSchema* stored);
 template <>
-BidMessage decode(std::string_view bytes);
+BidMessage decode(std::string_view bytes, const StoredSchema* stored);
 
 /// The same into a record that is there, whose room is used again: for millions of them.
-void decode_into(Step& record, std::string_view bytes);
+void decode_into(Step& record, std::string_view bytes, const StoredSchema* stored = nullptr);
 
 /// The definition of a record in ROS 2's message language, those of what it is made of after it.
 /// Instances exist for all of the above.

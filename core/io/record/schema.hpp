@@ -34,6 +34,13 @@ class SchemaWriter {
     return text;
   }
 
+  /// A value's type by itself.
+  template <class T>
+  static std::string type_of() {
+    std::map<std::string_view, std::string> parts;
+    return SchemaWriter(parts).type(T{});
+  }
+
  private:
   explicit SchemaWriter(std::map<std::string_view, std::string>& parts) : parts_(parts) {}
 
