@@ -8,7 +8,7 @@ FaultyLinks::FaultyLinks(FaultSchedule schedule, const std::vector<Uav>& fleet, 
     if (uav.id != self) links_.emplace(uav.id, LinkModel(schedule, fleet, uav.id, self));
 }
 
-bool FaultyLinks::arrived(AgentMessage message, std::uint64_t bytes, TimeNs now_ns) {
+std::vector<TimeNs> FaultyLinks::arrived(AgentMessage message, std::uint64_t bytes, TimeNs now_ns) {
   const Header& header =
       std::visit([](const auto& m) -> const Header& { return m.header; }, message);
   const auto link = links_.find(header.sender);
@@ -16,7 +16,7 @@ bool FaultyLinks::arrived(AgentMessage message, std::uint64_t bytes, TimeNs now_
   if (link != links_.end())
     arrivals_ns = link->second.send(header.sequence, bytes, now_ns).arrivals_ns;
   for (const TimeNs at_ns : arrivals_ns) waiting_.emplace(std::pair(at_ns, arrivals_++), message);
-  return !arrivals_ns.empty();
+  return arrivals_ns;
 }
 
 std::vector<AgentMessage> FaultyLinks::due(TimeNs now_ns) {

@@ -23,8 +23,9 @@ class FaultyLinks {
   FaultyLinks(FaultSchedule schedule, const std::vector<Uav>& fleet, AgentId self);
 
   /// A message of `bytes` on the wire came out of DDS. One of somebody who is not of the fleet
-  /// passes: to refuse it is the auction's business. Returns whether it will be heard at all.
-  bool arrived(AgentMessage message, std::uint64_t bytes, TimeNs now_ns);
+  /// passes: to refuse it is the auction's business. Returns when each copy of it will be heard,
+  /// ascending; none: it is lost.
+  std::vector<TimeNs> arrived(AgentMessage message, std::uint64_t bytes, TimeNs now_ns);
   /// What is due by now, in the order in which it is due.
   std::vector<AgentMessage> due(TimeNs now_ns);
   /// When something will be due next.

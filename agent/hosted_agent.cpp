@@ -177,9 +177,8 @@ template <class Message>
 void HostedAgent::handle(const Message& message) {
   if (message.header.sender == options_.id) meet_namesake(message.header);
   if (links_) {
-    if (!links_->arrived(message, payload_size(message), now_ns()))
-      log_.write(now_ns(), "lost",
-                 {{"sender", message.header.sender.value}, {"sequence", message.header.sequence}});
+    const TimeNs came_ns = now_ns();
+    log_.fate(came_ns, message.header, links_->arrived(message, payload_size(message), came_ns));
   } else if (agent_) {
     step({clock_ns(), message});
   }

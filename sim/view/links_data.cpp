@@ -1,45 +1,94 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <array>
 #include <map>
+#include <set>
 #include <tuple>
 
+#include "core/io/run/agent_log.hpp"
 #include "sim/view/view_data.hpp"
 
 namespace arcbid {
 namespace {
 
+using nlohmann::json;
+
 constexpr TimeNs bin_ns = 50'000'000;
 
 using Cell = std::tuple<std::int64_t, std::uint32_t, std::uint32_t>;  // bin, from, to
 struct Counts {
-  std::uint64_t heard = 0, lost = 0;
+  std::uint64_t sent = 0, lost = 0, delayed = 0, duplicated = 0;
+};
+
+/// Hears of every record of a kind that is intact, if it is an object.
+template <class Take>
+void read(const LifeLog& life, std::string_view kind, const Take& take) {
+  const auto taken = [&](const RunLogReader::Record& record) {
+    if (record.kind != kind) return true;
+    const json body = json::parse(record.body, nullptr, false);
+    if (body.is_object()) take(record.t_ns, body);
+    return true;
+  };
+  if (life.damage())
+    life.reader().read_intact(taken, [](const RunLogReader::Lost&) {});
+  else
+    life.reader().read(taken, 0, kind);
+}
+
+/// None: the record does not say which message it was. Older logs leave out the incarnation.
+std::optional<MessageId> message_in(const json& body) {
+  const auto number = [&body](const char* key) {
+    const json value = body.value(key, json());
+    return value.is_number_unsigned() ? std::optional(value.get<std::uint64_t>()) : std::nullopt;
+  };
+  const auto sender = number("sender");
+  if (!sender) return std::nullopt;
+  return MessageId{AgentId{static_cast<std::uint32_t>(*sender)}, number("incarnation").value_or(0),
+                   number("sequence").value_or(0)};
+}
+
+/// Counts what came to one life, each message once: when it came, not when its copies were heard.
+class Arrivals {
+ public:
+  Arrivals(const LifeLog& life, std::map<Cell, Counts>& cells)
+      : to_(life.agent().value), cells_(cells) {
+    read(life, log_kind::lost, [this](TimeNs t_ns, const json& body) {
+      if (const auto message = message_in(body)) ++sent(t_ns, *message).lost;
+    });
+    read(life, log_kind::fate, [this](TimeNs t_ns, const json& body) { meet(t_ns, body); });
+    for (const Mark& mark : life.marks())
+      if (mark.heard && !met_.contains(*mark.heard)) sent(mark.t_ns, *mark.heard);
+  }
+
+ private:
+  Counts& sent(TimeNs t_ns, const MessageId& message) {
+    Counts& counts = cells_[{t_ns / bin_ns, message.sender.value, to_}];
+    ++counts.sent;
+    return counts;
+  }
+  void meet(TimeNs t_ns, const json& body) {
+    const auto message = message_in(body);
+    const json after_ns = body.value("after_ns", json());
+    if (!message || !after_ns.is_array() || after_ns.empty()) return;
+    met_.insert(*message);
+    Counts& counts = sent(t_ns, *message);
+    if (after_ns[0].is_number_integer() && after_ns[0] > 0) ++counts.delayed;
+    counts.duplicated += after_ns.size() - 1;
+  }
+
+  std::uint32_t to_;
+  std::map<Cell, Counts>& cells_;
+  std::set<MessageId> met_;  // those with a record of their own
 };
 
 }  // namespace
 
-/// Each receiver's log says what came and what the fault schedule took away.
-nlohmann::json links_data(const RunArchive& run) {
+/// Each receiver's log says what came and what the fault schedule did to it.
+json links_data(const RunArchive& run) {
   std::map<Cell, Counts> cells;
-  for (const LifeLog& life : run.lives) {
-    const std::uint32_t to = life.agent().value;
-    for (const Mark& mark : life.marks())
-      if (mark.heard) ++cells[{mark.t_ns / bin_ns, mark.heard->sender.value, to}].heard;
-    const auto take = [&](const RunLogReader::Record& record) {
-      if (record.kind != "lost") return true;
-      const auto body = nlohmann::json::parse(record.body, nullptr, false);
-      if (body.is_object() && body.value("sender", nlohmann::json()).is_number_unsigned())
-        ++cells[{record.t_ns / bin_ns, body["sender"].get<std::uint32_t>(), to}].lost;
-      return true;
-    };
-    if (life.damage())
-      life.reader().read_intact(take, [](const RunLogReader::Lost&) {});
-    else
-      life.reader().read(take, 0, "lost");
-  }
-  nlohmann::json rows = nlohmann::json::array();
+  for (const LifeLog& life : run.lives) Arrivals(life, cells);
+  json rows = json::array();
   for (const auto& [cell, counts] : cells) {
     const auto& [bin, from, to] = cell;
-    rows.push_back({bin, from, to, counts.heard + counts.lost, counts.lost, 0, 0});
+    rows.push_back({bin, from, to, counts.sent, counts.lost, counts.delayed, counts.duplicated});
   }
   return {{"bin_s", seconds(bin_ns)}, {"rows", rows}};
 }

@@ -14,7 +14,7 @@ nlohmann::json view_data(const RunArchive& run);
 /// Parts of it. `views`: z and y of every life, change by change; `decisions`: what was claimed;
 /// `states` and `events` in causal order.
 nlohmann::json auction_data(const RunArchive& run, const Playback& playback);
-/// Messages of each directed link, by time: heard and lost.
+/// Messages of each directed link, by time: sent, and of them lost, delayed and duplicated.
 nlohmann::json links_data(const RunArchive& run);
 
 /// Seconds since launch.

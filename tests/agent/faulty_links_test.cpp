@@ -44,8 +44,8 @@ TEST(FaultyLinks, HoldBackWhatIsDelayedAndInOrderOfItsDueTime) {
   slow.from = {{1}};
   slow.delay = Delay{Delay::Kind::fixed, 1000, 0, 0};
   FaultyLinks links(with(slow), fleet, {2});
-  links.arrived(bid(1, 1), 100, 0);
-  links.arrived(bid(3, 2), 100, 500);
+  EXPECT_EQ(links.arrived(bid(1, 1), 100, 0), (std::vector<TimeNs>{1000}));
+  EXPECT_EQ(links.arrived(bid(3, 2), 100, 500), (std::vector<TimeNs>{500}));
   EXPECT_EQ(numbers(links.due(999)), (std::vector<std::uint64_t>{2}));
   EXPECT_EQ(links.next_ns(), 1000);
   EXPECT_EQ(numbers(links.due(1000)), (std::vector<std::uint64_t>{1}));
@@ -61,8 +61,8 @@ TEST(FaultyLinks, DropAndDoubleByLink) {
   FaultSchedule schedule = with(cut);
   schedule.links.push_back(twice);
   FaultyLinks links(schedule, fleet, {2});
-  links.arrived(bid(1, 1), 100, 0);
-  links.arrived(bid(3, 2), 100, 0);
+  EXPECT_EQ(links.arrived(bid(1, 1), 100, 0).size(), 0u);
+  EXPECT_EQ(links.arrived(bid(3, 2), 100, 0).size(), 2u);
   EXPECT_EQ(numbers(links.due(1'000'000'000)), (std::vector<std::uint64_t>{2, 2}));
   EXPECT_EQ(links.counters().at({1}).dropped, 1u);
   EXPECT_EQ(links.counters().at({3}).duplicated, 1u);

@@ -102,5 +102,29 @@ TEST_F(AgentLogTest, CostsNothingWithoutAFile) {
   EXPECT_FALSE(std::filesystem::exists(file()));
 }
 
+TEST_F(AgentLogTest, TellsWhatLinksDidToAMessage) {
+  Header header;
+  header.sender = {4};
+  header.incarnation = 17;
+  header.sequence = 9;
+  std::vector<std::string> bodies;
+  {
+    AgentLog log(file(), life, {});
+    log.fate(5 * ms, header, {5 * ms});
+    log.fate(6 * ms, header, {});
+    log.fate(7 * ms, header, {7 * ms, 9 * ms});
+    log.fate(8 * ms, header, {10 * ms});
+  }
+  RunLogReader(file()).read([&bodies](const RunLogReader::Record& record) {
+    bodies.push_back(std::string(record.kind) + " " + std::string(record.body));
+    return true;
+  });
+  EXPECT_THAT(
+      bodies,
+      ElementsAre(R"(lost {"incarnation":17,"sender":4,"sequence":9})",
+                  R"(fate {"after_ns":[0,2000000],"incarnation":17,"sender":4,"sequence":9})",
+                  R"(fate {"after_ns":[2000000],"incarnation":17,"sender":4,"sequence":9})"));
+}
+
 }  // namespace
 }  // namespace arcbid

@@ -56,6 +56,16 @@ void AgentLog::route(TimeNs now_ns, const PlannedRoute& route) {
   append(now_ns, log_kind::route, route_, route);
 }
 
+void AgentLog::fate(TimeNs now_ns, const Header& header, const std::vector<TimeNs>& arrivals_ns) {
+  if (arrivals_ns.size() == 1 && arrivals_ns.front() <= now_ns) return;
+  nlohmann::json body{{"sender", header.sender.value},
+                      {"incarnation", header.incarnation},
+                      {"sequence", header.sequence}};
+  if (arrivals_ns.empty()) return write(now_ns, log_kind::lost, body);
+  for (const TimeNs at_ns : arrivals_ns) body["after_ns"].push_back(at_ns - now_ns);
+  write(now_ns, log_kind::fate, body);
+}
+
 void AgentLog::write(TimeNs now_ns, std::string_view kind, const nlohmann::json& body) {
   if (log_) log_->append(now_ns, kind, body);
 }

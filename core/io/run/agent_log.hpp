@@ -7,16 +7,18 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/io/record/records.hpp"
 #include "core/io/run/run_log.hpp"
 
 namespace arcbid {
 
-/// Names of the kinds that replay goes by.
+/// Names of the kinds that others go by.
 namespace log_kind {
 inline constexpr std::string_view mission = "mission", birth = "birth", step = "step",
-                                  route = "route", heard_status = "heard_status", end = "end";
+                                  route = "route", heard_status = "heard_status", end = "end",
+                                  lost = "lost", fate = "fate";
 }  // namespace log_kind
 
 /// What one life of an agent leaves on record: all that its core consumed and produced, and what
@@ -37,6 +39,9 @@ class AgentLog {
   void birth(TimeNs now_ns, const Birth& birth, const Mission& mission);
   void step(TimeNs now_ns, const Step& step);
   void route(TimeNs now_ns, const PlannedRoute& route);
+  /// What the faults of links did to a message that came at `now_ns`: when each copy of it is heard
+  /// (ascending), none: it is lost. Of one that nothing was done to nothing is written.
+  void fate(TimeNs now_ns, const Header& header, const std::vector<TimeNs>& arrivals_ns);
   /// Anything else.
   void write(TimeNs now_ns, std::string_view kind, const nlohmann::json& body);
 
