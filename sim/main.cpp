@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <ctime>
@@ -85,13 +86,15 @@ Exit run(const RunArguments& arguments) {
   if (!arguments.faults.empty()) faults = load_faults(arguments.faults, fleet_ids(config));
   const FaultTier tier = arguments.fault_tier == name_of(FaultTier::packets) ? FaultTier::packets
                                                                              : FaultTier::messages;
+  std::atomic<bool> is_over = false;
   std::optional<ViewServer> viewer;
   if (arguments.view) {
-    viewer.emplace(std::filesystem::absolute(out), programs(), 0);
+    viewer.emplace(std::filesystem::absolute(out), programs(), 0, [&is_over] { return !is_over; });
     fmt::print("the run is seen at {} until Ctrl-C\n", viewer->address());
     std::fflush(stdout);
   }
   const Exit exit = launch({config, std::filesystem::absolute(out), faults, tier, programs()});
+  is_over = true;
   if (arguments.report && exit != Exit::bad_input) report_if_built(out);
   while (viewer && exit != Exit::bad_input && !stop_requested())
     std::this_thread::sleep_for(std::chrono::milliseconds(50));

@@ -9,6 +9,7 @@
 
 #include "core/io/process/process.hpp"
 #include "core/io/run/run_files.hpp"
+#include "core/io/run/run_lock.hpp"
 #include "sim/commands/tell.hpp"
 #include "sim/view/page.hpp"
 #include "sim/view/server.hpp"
@@ -50,8 +51,8 @@ Exit ViewCommand::run(const std::filesystem::path& programs) const {
 Exit ViewCommand::serve(const std::filesystem::path& programs) const {
   // Of a run that has ended, what is wrong with it is said here; one that begins may yet come to
   // be.
-  if (std::filesystem::exists(std::filesystem::path(run_) / "result.json")) opened(run_);
-  const ViewServer server(run_, programs, port_);
+  if (!goes_on(run_)) opened(run_);
+  const ViewServer server(run_, programs, port_, [this] { return goes_on(run_); });
   fmt::print("{} is at {} until Ctrl-C\n", run_, server.address());
   std::fflush(stdout);
   while (!stop_requested()) std::this_thread::sleep_for(std::chrono::milliseconds(50));

@@ -17,6 +17,7 @@
 #include "core/io/faults/fault_files.hpp"
 #include "core/io/process/process.hpp"
 #include "core/io/run/run_files.hpp"
+#include "core/io/run/run_lock.hpp"
 #include "sim/checker/checker.hpp"
 #include "sim/launcher/child.hpp"
 #include "sim/launcher/console.hpp"
@@ -374,6 +375,7 @@ Exit launch(const LaunchOptions& options) {
   if (std::filesystem::exists(options.out, none) && !std::filesystem::is_empty(options.out, none))
     throw InputError(
         fmt::format("{}: is not empty; name a new directory with --out", options.out.string()));
+  const RunLock running(options.out);
   const Exit exit = Run(options)();
   // Refused input makes no run: the same command works again once it is mended.
   if (exit == Exit::bad_input) std::filesystem::remove_all(options.out, none);

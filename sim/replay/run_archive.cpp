@@ -11,6 +11,7 @@
 
 #include "core/base/error.hpp"
 #include "core/io/run/log_files.hpp"
+#include "core/io/run/run_lock.hpp"
 
 namespace arcbid {
 namespace {
@@ -73,6 +74,7 @@ RunArchive open_run(const Path& directory) {
   });
   run.tasks =
       split(run.mission->arcs, run.mission->auction.split_m, run.mission->auction.max_tasks);
+  run.is_live = goes_on(directory);
   run.result = result_of(directory);
   return run;
 }

@@ -20,6 +20,7 @@ struct RunArchive {
   std::vector<std::string> unreadable;  ///< one line for each log that could not be opened, or
                                         ///< whose life never had the mission
   nlohmann::json result;                ///< result.json; null when the run did not come to write it
+  bool is_live = false;                 ///< its launcher still runs it
 };
 
 /// Opens the logs, several at a time. Throws InputError when no log has a mission, or when they

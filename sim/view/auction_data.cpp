@@ -209,7 +209,7 @@ class Story {
       return event(log.last_ns(), "end", log.agent(),
                    fmt::format("agent {} ends, by {}", log.agent().value, log.ended_by()));
     }
-    if (!run_.result.is_object()) return;  // the run goes on
+    if (run_.is_live) return;
     state(log.last_ns(), log.agent(), "dead");
     event(log.last_ns(), "death", log.agent(),
           fmt::format("agent {} is not heard of again", log.agent().value));

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <mutex>
 #include <thread>
+#include <utility>
 
 #include "core/base/error.hpp"
 #include "sim/view/page.hpp"
@@ -22,9 +23,10 @@ constexpr const char* host = "127.0.0.1";
 constexpr auto look_interval = 250ms;
 constexpr int keep_alive_looks = 20;  // without news, so that a reader that is gone is noticed
 
-/// Changes whenever a log does: sizes and times of all files in the run's folder of logs.
-std::uint64_t stamp_of(const std::filesystem::path& run) {
-  std::uint64_t stamp = std::filesystem::exists(run / "result.json") ? 1 : 0;
+/// Changes whenever a log does, and when the run ends: by sizes and times of all files in the run's
+/// folder of logs.
+std::uint64_t stamp_of(const std::filesystem::path& run, bool is_live) {
+  std::uint64_t stamp = is_live ? 1 : 2;
   std::error_code gone;
   for (const auto& entry : std::filesystem::directory_iterator(run / "logs", gone)) {
     stamp = stamp * 1099511628211u + entry.file_size(gone);
@@ -39,6 +41,7 @@ std::uint64_t stamp_of(const std::filesystem::path& run) {
 struct ViewServer::Impl {
   std::filesystem::path run;
   std::string page;
+  std::function<bool()> is_live;
   httplib::Server server;
   int port = 0;
   std::atomic<bool> stopping = false;
@@ -50,12 +53,15 @@ struct ViewServer::Impl {
   /// A run that has only begun has nothing to show yet: an empty object.
   std::string fresh_data() {
     const std::scoped_lock lock(mutex);
-    const std::uint64_t now = stamp_of(run);
+    const bool live = is_live();
+    const std::uint64_t now = stamp_of(run, live);
     if (now == stamp && !data.empty()) return data;
     try {
-      data = gzip(view_data(open_run(run)).dump());
+      RunArchive archive = open_run(run);
+      archive.is_live = live;
+      data = gzip(view_data(archive).dump());
     } catch (const InputError&) {
-      data = gzip("{\"schema\": 1, \"live\": true}");
+      data = gzip(fmt::format("{{\"schema\": 1, \"live\": {}}}", live));
     }
     stamp = now;
     return data;
@@ -77,10 +83,11 @@ struct ViewServer::Impl {
     response.set_chunked_content_provider(
         "text/event-stream", [this, told, version](std::size_t, httplib::DataSink& sink) {
           for (int looks = 0; looks < keep_alive_looks && !stopping; ++looks) {
-            const std::uint64_t now = stamp_of(run);
+            const bool live = is_live();
+            const std::uint64_t now = stamp_of(run, live);
             if (now != *told) {
               *told = now;
-              return say(sink, ++*version);
+              return say(sink, ++*version, live);
             }
             std::this_thread::sleep_for(look_interval);
           }
@@ -88,20 +95,20 @@ struct ViewServer::Impl {
           return !stopping && sink.write(idle.data(), idle.size());
         });
   }
-  bool say(httplib::DataSink& sink, int version) const {
-    const bool ended = std::filesystem::exists(run / "result.json");
+  static bool say(httplib::DataSink& sink, int version, bool live) {
     const std::string line =
-        fmt::format("data: {{\"version\": {}, \"ended\": {}}}\n\n", version, ended);
+        fmt::format("data: {{\"version\": {}, \"ended\": {}}}\n\n", version, !live);
     return sink.write(line.data(), line.size());
   }
 };
 
 ViewServer::ViewServer(std::filesystem::path run, const std::filesystem::path& programs,
-                       std::uint16_t port)
+                       std::uint16_t port, std::function<bool()> is_live)
     : impl_(std::make_unique<Impl>()) {
   Impl& self = *impl_;
   self.run = std::move(run);
   self.page = viewer_page(programs);
+  self.is_live = std::move(is_live);
   self.server.set_pre_routing_handler(
       [&self](const httplib::Request& request, httplib::Response& response) {
         if (self.is_ours(request)) return httplib::Server::HandlerResponse::Unhandled;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -13,8 +14,10 @@ namespace arcbid {
 /// run's logs only; binds 127.0.0.1.
 class ViewServer {
  public:
-  /// `port` 0: any that is free. Throws InputError when it is taken, or the viewer was not built.
-  ViewServer(std::filesystem::path run, const std::filesystem::path& programs, std::uint16_t port);
+  /// `port` 0: any that is free. `is_live`: whether more is to come; asked by other threads. Throws
+  /// InputError when the port is taken, or the viewer was not built.
+  ViewServer(std::filesystem::path run, const std::filesystem::path& programs, std::uint16_t port,
+             std::function<bool()> is_live);
   ~ViewServer();
 
   std::string address() const;  ///< where a browser finds it

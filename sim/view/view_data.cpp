@@ -125,7 +125,7 @@ json summary_of(const RunArchive& run) {
                            run.mission->arcs.size(), run.tasks.tasks.size()));
   const json& r = run.result;
   if (!r.is_object()) {
-    row("result", "none on record yet");
+    row("result", run.is_live ? "none on record yet" : "none: it broke off");
     return out;
   }
   if (const json agreement = r.value("agreement", json::object());
@@ -182,7 +182,7 @@ json view_data(const RunArchive& run) {
   json out{{"schema", 1},
            {"name", run.mission->name},
            {"run", run.directory.filename().string()},
-           {"live", !run.result.is_object()},
+           {"live", run.is_live},
            {"build", {{"version", build_version()}, {"commit", build_commit()}}},
            {"summary", summary_of(run)},
            {"arcs", arcs_of(*run.mission)},
