@@ -124,7 +124,8 @@ const ExplainReport::Alive& ExplainReport::alive(const Explanation& death) {
   if (!is_new) return at->second;
   Alive& worlds = at->second;
   try {
-    const WorldSpec world = world_of(read_run(run_.directory), 1);
+    const LiveRun run = read_run(run_.directory);
+    const WorldSpec world = world_of(run, run.seed);
     const auto other = with_alive(world, *death.rival.winner, death.t_ns);
     if (!other) {
       worlds.problem = "no crash of it is on record: it was missed for another reason";

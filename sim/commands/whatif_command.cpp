@@ -108,7 +108,9 @@ WhatIfCommand::WhatIfCommand(CLI::App& app)
   command_->add_option("--bundle-limit", bundle_limit_, "most tasks an agent takes; 0: no limit");
   command_->add_option("--loss", loss_, "independent loss on every link besides")
       ->check(CLI::Range(0.0, 1.0));
-  command_->add_option("--seeds", seeds_, "how long messages take: SEED or FIRST..LAST");
+  command_->add_option(
+      "--seeds", seeds_,
+      "how long messages take: SEED or FIRST..LAST (default: a recorded world's own, else 1)");
   command_->add_option("--jobs", jobs_, "threads")->check(CLI::Range(1, 256));
 }
 
@@ -129,8 +131,8 @@ OtherRules WhatIfCommand::rules() const {
 
 Exit WhatIfCommand::run() const {
   const OtherRules others = rules();
-  const Seeds seeds = seeds_of(seeds_);
   const LiveRun live = read_run(run_);
+  const Seeds seeds = seeds_.empty() ? Seeds{live.seed, live.seed} : seeds_of(seeds_);
   for (const std::string& line : live.left_out) fmt::print("left out: {}\n", line);
   const WorldSpec world = world_of(live, seeds.first), other = under(others, world);
   const std::vector<WorldResult> was = worlds_of(world, seeds, jobs_),

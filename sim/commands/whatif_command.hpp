@@ -22,7 +22,7 @@ class WhatIfCommand {
   OtherRules rules() const;
 
   CLI::App* command_;
-  std::string run_, policy_, score_, seeds_ = "1";
+  std::string run_, policy_, score_, seeds_;
   std::optional<std::uint32_t> agents_, bundle_limit_;
   std::vector<std::uint32_t> without_;
   std::optional<double> loss_;

@@ -34,7 +34,8 @@ Playback::Playback(const RunArchive& run)
     if (turns.back().state.life != l) continue;
     AgentState state = turns.back().state;
     state.steps = run.lives[l].marks().size();
-    state.state = run.lives[l].ended_by() == "coordinator" ? State::ended : State::dead;
+    const std::string& by = run.lives[l].ended_by();
+    state.state = by == "coordinator" || by == "world" ? State::ended : State::dead;
     turns.push_back({when_[l].back() + 1, state});
   }
 }

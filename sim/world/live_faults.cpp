@@ -110,6 +110,7 @@ class History {
 
 FaultSchedule faults_of(const LiveRun& run) {
   FaultSchedule out = run.schedule;
+  if (run.is_world) return out;
   if (!out.until_ns && !(out.links.empty() && out.partitions.empty())) out.until_ns = end_ns(run);
   std::erase_if(out.agents,
                 [](const AgentFault& fault) { return fault.kind != AgentFaultKind::clock; });

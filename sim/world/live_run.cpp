@@ -38,6 +38,7 @@ json parsed(const Path& file) {
 /// Names of processes ("agent 2, second") by their PIDs.
 std::map<std::uint64_t, std::string> names_of(const JsonPlace& result) {
   std::map<std::uint64_t, std::string> names;
+  if (result.has("world")) return names;  // all of it was one process
   for (const JsonPlace& process : result.at("processes").elements())
     names[process.at("pid").whole(most_id)] = process.at("name").text();
   return names;
@@ -52,6 +53,19 @@ std::vector<LiveAct> acts_of(const JsonPlace& result) {
     if (agent != AgentId{0}) acts.push_back({at_ns, agent, fault.at("action").text()});
   }
   return acts;
+}
+
+/// How long messages took in a recorded world, and by which seed.
+void read_world(const JsonPlace& world, LiveRun& run) {
+  constexpr std::uint64_t longest_ns = 3600'000'000'000;
+  run.is_world = true;
+  run.seed = world.at("seed").whole(std::numeric_limits<std::uint64_t>::max());
+  const JsonPlace latency = world.at("latency_ns");
+  const std::vector<JsonPlace> ends = latency.elements();
+  if (ends.size() != 2) latency.refuse("two numbers, the least and the most");
+  run.latency_ns = {static_cast<TimeNs>(ends[0].whole(longest_ns)),
+                    static_cast<TimeNs>(ends[1].whole(longest_ns))};
+  if (run.latency_ns.least > run.latency_ns.most) latency.refuse("the least before the most");
 }
 
 /// Reads the logs one after another: all must tell of the same mission.
@@ -128,6 +142,7 @@ LiveRun read_run(const Path& directory) {
   const json document = parsed(result_file);
   const JsonPlace result(document, result_file.string());
   run.acts = acts_of(result);
+  if (result.has("world")) read_world(result.at("world"), run);
   LifeReader reader(run, result);
   for (const Path& file : agents_logs(directory)) reader.read(file);
   if (run.lives.empty())
@@ -138,15 +153,14 @@ LiveRun read_run(const Path& directory) {
                    [](const LiveLife& a, const LiveLife& b) { return a.born_ns < b.born_ns; });
   if (result.has("fault_tier") && result.at("fault_tier").text() == "packets")
     run.left_out.push_back("that the faults of links acted on packets: here they act on messages");
-  if (result.has("faults"))
+  if (result.has("faults") || run.is_world)
     run.schedule = load_faults((directory / "faults.yaml").string(), ids_of(run.mission));
   return run;
 }
 
 WorldSpec world_of(const LiveRun& run, std::uint64_t seed) {
-  constexpr Range<TimeNs> on_loopback_ns{100'000, 5'000'000};
   return {
-      .seed = seed, .mission = run.mission, .faults = faults_of(run), .latency_ns = on_loopback_ns};
+      .seed = seed, .mission = run.mission, .faults = faults_of(run), .latency_ns = run.latency_ns};
 }
 
 }  // namespace arcbid

@@ -50,6 +50,8 @@ void Network::broadcast(std::size_t from, std::uint32_t life, const Message& mes
       arrive(delivery, now_ns, sequence, now_ns);  // its twin stands next to it
     else if (has_link(from, delivery.to))
       send(delivery, sequence, bytes, now_ns);
+    else if (delivery.to != from && watch_)
+      watch_(delivery, {{}, DropReason::no_link});
   }
 }
 
@@ -61,8 +63,9 @@ void Network::send(const Delivery& message, std::uint64_t sequence, std::uint64_
     return;
   }
   LinkModel& link = links_[message.from * size_ + message.to];
-  for (const TimeNs at_ns : link.send(sequence, bytes, now_ns).arrivals_ns)
-    arrive(message, at_ns, sequence, now_ns);
+  const Fate fate = link.send(sequence, bytes, now_ns);
+  if (watch_) watch_(message, fate);
+  for (const TimeNs at_ns : fate.arrivals_ns) arrive(message, at_ns, sequence, now_ns);
 }
 
 void Network::arrive(Delivery message, TimeNs at_ns, std::uint64_t sequence, TimeNs now_ns) {

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <queue>
+#include <utility>
 #include <vector>
 
 #include "core/auction/agent.hpp"
@@ -27,6 +29,10 @@ struct Delivery {
 class Network {
  public:
   explicit Network(const WorldSpec& spec);
+
+  /// Hears what the faults of links did to a message when it was sent.
+  using Watch = std::function<void(const Delivery& message, const Fate& fate)>;
+  void watch(Watch watch) { watch_ = std::move(watch); }
 
   /// From `from` to everybody else. `sequence` decides its fate on each link.
   template <class Message>
@@ -61,6 +67,7 @@ class Network {
   std::priority_queue<Delivery, std::vector<Delivery>, Later> queue_;
   std::uint64_t order_ = 0, messages_ = 0, bytes_ = 0;
   TimeNs last_arrival_ns_ = 0;
+  Watch watch_;  // empty: nobody
 };
 
 }  // namespace arcbid

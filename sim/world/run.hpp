@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/auction/agent.hpp"
+#include "core/faults/link_model.hpp"
 #include "sim/world/checkers/step.hpp"
 #include "sim/world/spec.hpp"
 
@@ -44,6 +45,12 @@ class WorldObserver {
                     TimeNs clock_ns) = 0;
   virtual void stepped(std::uint32_t life, TimeNs now_ns, const Event& event,
                        const Update& update) = 0;
+  /// What the faults of links did to a message that was sent to this life at `now_ns`. Not told of
+  /// one that nothing was done to.
+  virtual void met_fate(std::uint32_t life, TimeNs now_ns, const Header& header,
+                        const Fate& fate) = 0;
+  /// It is there at the end of the world.
+  virtual void outlived(std::uint32_t life, TimeNs now_ns) = 0;
 };
 
 /// Runs the world until all living agents hold a proof of one and the same agreement and nothing is

@@ -43,6 +43,8 @@ World::World(const WorldSpec& spec, const Trace& trace, WorldObserver* observer)
       if (fault.kind == AgentFaultKind::clock) has_clock_fault_[k] = true;
       if (fault.kind == AgentFaultKind::twin) checkers_.stability.has_twin(id);
     }
+  if (observer_)
+    network_.watch([this](const Delivery& message, const Fate& fate) { tell_fate(message, fate); });
 }
 
 WorldResult World::run() {
@@ -113,6 +115,19 @@ void World::deliver(const Delivery& delivery) {
     else
       hear(life, delivery);
   }
+}
+
+void World::tell_fate(const Delivery& message, const Fate& fate) const {
+  const Header* header = nullptr;
+  std::visit(
+      [&header](const auto& what) {
+        if constexpr (requires { what.header; }) header = &what.header;
+      },
+      message.event->what);
+  const bool is_untouched = fate.arrivals_ns.size() == 1 && fate.arrivals_ns.front() == now_ns_;
+  if (is_untouched || !header) return;
+  for (const Life& life : lives_)
+    if (life.agent == message.to) observer_->met_fate(life.number, now_ns_, *header, fate);
 }
 
 void World::hear(Life& life, const Delivery& delivery) {

@@ -52,6 +52,7 @@ class World {
   void wake(Life& life);
   void deliver(const Delivery& delivery);
   void hear(Life& life, const Delivery& delivery);
+  void tell_fate(const Delivery& message, const Fate& fate) const;
   void step(Life& life, const Event& event);
   void carry_out(Life& life, Update& update);
   void check_refusal(const Life& life, const Delivery& delivery, const Update& update,

@@ -141,6 +141,8 @@ void World::tell_that_it_does_not_end() {
 
 WorldResult World::result() {
   const std::vector<Component> components = living_components();
+  if (observer_)
+    for (const Life& life : lives_) observer_->outlived(life.number, now_ns_);
   result_.seed = spec_.seed;
   result_.messages = network_.messages();
   result_.bytes = network_.bytes();

@@ -8,6 +8,7 @@
 #include "core/base/error.hpp"
 #include "core/io/faults/fault_files.hpp"
 #include "core/io/run/run_files.hpp"
+#include "sim/launcher/fault_script.hpp"
 
 namespace arcbid {
 
@@ -16,6 +17,18 @@ struct WorldLog::Life {
   std::unique_ptr<AgentLog> log;
   std::optional<Agreement> agreement;  // until its route is published
 };
+
+/// What was done to processes, as a launcher writes it down.
+nlohmann::json WorldLog::acts_until(TimeNs end_ns) const {
+  nlohmann::json out = nlohmann::json::array();
+  FaultScript script(spec_.faults);
+  for (ProcessFault fault; script.next(end_ns, fault);)
+    out.push_back({{"time_s", static_cast<double>(fault.at_ns) * 1e-9},
+                   {"agent", fault.agent.value},
+                   {"action", name_of(fault.action)},
+                   {"fault", in_words(fault)}});
+  return out;
+}
 
 WorldLog::WorldLog(const WorldSpec& spec, std::filesystem::path directory)
     : spec_(spec), directory_(std::move(directory)) {
@@ -49,6 +62,14 @@ void WorldLog::stepped(std::uint32_t number, TimeNs now_ns, const Event& event,
   if (update.agreed) life.agreement = update.agreed;
 }
 
+void WorldLog::met_fate(std::uint32_t life, TimeNs now_ns, const Header& header, const Fate& fate) {
+  lives_.at(life)->log->fate(now_ns, header, fate.arrivals_ns);
+}
+
+void WorldLog::outlived(std::uint32_t life, TimeNs now_ns) {
+  lives_.at(life)->log->write(now_ns, log_kind::end, {{"by", "world"}});
+}
+
 /// In the world a route is published at once; on record it stands as it would be flown.
 void WorldLog::plan(Life& life, TimeNs now_ns) const {
   if (!life.agreement) return;
@@ -65,15 +86,17 @@ void WorldLog::plan(Life& life, TimeNs now_ns) const {
 
 void WorldLog::write_result(const WorldResult& result) {
   for (auto& [number, life] : lives_) life->log->commit();
-  const nlohmann::json out{{"schema", 1},
-                           {"seed", result.seed},
-                           {"agreement",
-                            {{"reached", result.agreed},
-                             {"rounds", result.rounds},
-                             {"time_s", static_cast<double>(result.agreed_ns) * 1e-9}}},
-                           {"makespan_s", result.makespan_s},
-                           {"messages", {{"sent", result.messages}, {"bytes", result.bytes}}},
-                           {"faults", nlohmann::json::array()}};
+  const nlohmann::json out{
+      {"schema", 1},
+      {"world",
+       {{"seed", result.seed}, {"latency_ns", {spec_.latency_ns.least, spec_.latency_ns.most}}}},
+      {"agreement",
+       {{"reached", result.agreed},
+        {"rounds", result.rounds},
+        {"time_s", static_cast<double>(result.agreed_ns) * 1e-9}}},
+      {"makespan_s", result.makespan_s},
+      {"messages", {{"sent", result.messages}, {"bytes", result.bytes}}},
+      {"faults", acts_until(result.agreed_ns)}};
   write_whole(directory_ / "result.json", out.dump(2) + "\n");
 }
 

@@ -23,12 +23,15 @@ class WorldLog final : public WorldObserver {
             TimeNs clock_ns) override;
   void stepped(std::uint32_t life, TimeNs now_ns, const Event& event,
                const Update& update) override;
+  void met_fate(std::uint32_t life, TimeNs now_ns, const Header& header, const Fate& fate) override;
+  void outlived(std::uint32_t life, TimeNs now_ns) override;
   /// How it ended; the last thing.
   void write_result(const WorldResult& result);
 
  private:
   struct Life;
   void plan(Life& life, TimeNs now_ns) const;
+  nlohmann::json acts_until(TimeNs end_ns) const;
 
   const WorldSpec& spec_;
   const std::filesystem::path directory_;
