@@ -51,23 +51,28 @@ ReplayCommand::ReplayCommand(CLI::App& app)
   command_->add_option("--domain", domain_, "DDS domain for --dds (default: one that nobody uses)")
       ->needs(dds)
       ->check(CLI::Range(0, 231));
-  add_playing();
+  CLI::Option* rate =
+      command_->add_option("--rate", rate_, "times real time; 0: as fast as possible (default: 1)")
+          ->check(CLI::Range(0.0, 1e6));
+  rate->excludes(verify);
+  // The whole run is verified, and the whole run is said again: nothing is to be chosen.
+  for (CLI::Option* option : add_playing()) option->excludes(verify)->excludes(dds);
 }
 
-void ReplayCommand::add_playing() {
-  command_->add_option("--from", from_, "seconds since launch, round:N, or event:NAME");
-  command_->add_option("--until", until_, "likewise: where it ends");
-  command_->add_option("--rate", rate_, "times real time; 0: as fast as possible (default: 1)")
-      ->check(CLI::Range(0.0, 1e6));
-  command_->add_option("--agent", agent_, "show what this agent did only");
-  command_->add_option("--arc", arc_, "show what is about this arc only");
-  command_->add_option("--topic", topic_, "show steps of this kind only")
-      ->check(CLI::IsMember(std::vector<std::string>(topic_names.begin(), topic_names.end())));
-  command_->add_flag("--loop", loop_, "begin again at the end (on a terminal)");
-  command_
-      ->add_option("--step", step_,
-                   "how many shown moments a key moves; without a terminal: how many are shown")
-      ->check(CLI::Range(1, 1'000'000));
+std::vector<CLI::Option*> ReplayCommand::add_playing() {
+  return {
+      command_->add_option("--from", from_, "seconds since launch, round:N, or event:NAME"),
+      command_->add_option("--until", until_, "likewise: where it ends"),
+      command_->add_option("--agent", agent_, "show what this agent did only"),
+      command_->add_option("--arc", arc_, "show what is about this arc only"),
+      command_->add_option("--topic", topic_, "show steps of this kind only")
+          ->check(CLI::IsMember(std::vector<std::string>(topic_names.begin(), topic_names.end()))),
+      command_->add_flag("--loop", loop_, "begin again at the end (on a terminal)"),
+      command_
+          ->add_option("--step", step_,
+                       "how many shown moments a key moves; without a terminal: how many are shown")
+          ->check(CLI::Range(1, 1'000'000)),
+  };
 }
 
 Exit ReplayCommand::run(const std::filesystem::path& programs) const {

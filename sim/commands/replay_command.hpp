@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/base/error.hpp"
 
@@ -19,7 +20,8 @@ class ReplayCommand {
   Exit run(const std::filesystem::path& programs) const;
 
  private:
-  void add_playing();
+  /// What chooses a part of the run, and how that is shown.
+  std::vector<CLI::Option*> add_playing();
   Exit verify_all() const;
   Exit play() const;
   Exit publish(const std::filesystem::path& programs) const;

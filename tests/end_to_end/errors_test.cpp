@@ -36,6 +36,34 @@ TEST(Errors, OfTheCommandLineAreExitCodeTwo) {
     EXPECT_EQ(Launched(words).wait_for_end(10), 2);
 }
 
+TEST(Errors, OfAReplayThatWouldNotHeedAnOptionAreOneLine) {
+  const Scratch scratch;
+  const std::string run = (scratch / "").string();
+  using Words = std::vector<std::string>;
+  for (const Words& how : std::vector<Words>{{"--verify"}, {"--dds"}})
+    for (const Words& option : std::vector<Words>{{"--from", "1"},
+                                                  {"--until", "1"},
+                                                  {"--agent", "1"},
+                                                  {"--arc", "1"},
+                                                  {"--topic", "bid"},
+                                                  {"--loop"},
+                                                  {"--step", "1"}}) {
+      Words words{"replay", run, how[0]};
+      words.insert(words.end(), option.begin(), option.end());
+      Launched replay(words);
+      EXPECT_EQ(replay.wait_for_end(10), 2);
+      EXPECT_NE(replay.output().find(option[0]), std::string::npos) << replay.output();
+      EXPECT_NE(replay.output().find("excludes"), std::string::npos) << replay.output();
+      EXPECT_EQ(std::count(replay.output().begin(), replay.output().end(), '\n'), 1);
+    }
+  Launched rate({"replay", run, "--verify", "--rate", "2"}),
+      domain({"replay", run, "--domain", "2"});
+  EXPECT_EQ(rate.wait_for_end(10), 2);
+  EXPECT_NE(rate.output().find("excludes"), std::string::npos) << rate.output();
+  EXPECT_EQ(domain.wait_for_end(10), 2);
+  EXPECT_NE(domain.output().find("requires --dds"), std::string::npos) << domain.output();
+}
+
 TEST(Errors, HelpAndTheConfigReferenceAreExitCodeZero) {
   for (const std::vector<std::string>& words :
        std::vector<std::vector<std::string>>{{"--help"},
