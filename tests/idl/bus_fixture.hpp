@@ -25,14 +25,7 @@ inline double seconds_since(Clock::time_point start) {
 
 /// Real Fast DDS on 127.0.0.1, in a domain of the test's own.
 class BusTest : public testing::Test {
- protected:
-  std::unique_ptr<Bus> agent(std::uint32_t id, FaultTier tier = FaultTier::messages) {
-    return std::make_unique<Bus>(network_, lease_.domain(), AgentId{id}, kFleet, tier);
-  }
-  std::unique_ptr<Bus> coordinator() {
-    return std::make_unique<Bus>(network_, lease_.domain(), the_coordinator, kFleet);
-  }
-
+ public:
   template <class Condition>
   static bool eventually(Condition holds, std::chrono::nanoseconds limit = 10s) {
     const auto deadline = Clock::now() + limit;
@@ -41,6 +34,14 @@ class BusTest : public testing::Test {
       std::this_thread::sleep_for(2ms);
     }
     return true;
+  }
+
+ protected:
+  std::unique_ptr<Bus> agent(std::uint32_t id, FaultTier tier = FaultTier::messages) {
+    return std::make_unique<Bus>(network_, lease_.domain(), AgentId{id}, kFleet, tier);
+  }
+  std::unique_ptr<Bus> coordinator() {
+    return std::make_unique<Bus>(network_, lease_.domain(), the_coordinator, kFleet);
   }
 
   static bool matched(const Bus& bus, std::uint32_t agents) {
