@@ -10,6 +10,7 @@ import { embed, fixture } from '../viewer/fixture.mjs';
 import { skipWithoutBrowser } from '../viewer/skip.mjs';
 
 const FRAMES_PER_S = 30;
+const LIMIT_MS = 5;  // of CPU a frame, not drawn
 const number = (value) => ({ type: 'string', default: value });
 const { values, positionals } = parseArgs({
   allowPositionals: true, options: { points: number('200000'), agents: number('64'), seconds: number('10') },
@@ -82,8 +83,12 @@ async function calculated(page, track, seconds) {
     ...window.takeFrames.account, now: Number(document.documentElement.dataset.frames),
   }));
   if (now - shown < frames) throw new Error(`${now - shown} frames of ${frames} were made: the run was over before`);
-  console.log(`${track}, not drawn: ${((1000 * took_s) / frames).toFixed(2)} ms of CPU a frame, ` +
+  const frame_ms = (1000 * took_s) / frames;
+  console.log(`${track}, not drawn: ${frame_ms.toFixed(2)} ms of CPU a frame, ` +
     `${(calls / frames).toFixed(1)} draw calls, ${Math.round(vertices / frames)} vertices (${frames} frames)`);
+  if (frame_ms <= LIMIT_MS) return;
+  console.error(`${track}, not drawn: more than ${LIMIT_MS} ms a frame`);
+  process.exitCode = 1;
 }
 
 const folder = mkdtempSync(join(tmpdir(), 'arcbid-viewer-bench-'));
