@@ -44,8 +44,8 @@ LiveRun read_run(const std::filesystem::path& run);
 
 /// The run's schedule, with what really happened to processes in place of what was to happen: born
 /// and dead when they were, deaths that nobody asked for included. Faults of links that have no end
-/// end with the run. In a recorded world all went as it was asked for. Throws InputError when
-/// nobody was left alive.
+/// end with the run. Throws InputError when nobody was left alive. In a recorded world all went as
+/// it was asked for: it is the run's schedule, whoever lived.
 FaultSchedule faults_of(const LiveRun& run);
 
 /// The world of that run. The seed varies what a live run does not fix: how long messages take.
