@@ -49,8 +49,7 @@ Exit ViewCommand::run(const std::filesystem::path& programs) const {
 }
 
 Exit ViewCommand::serve(const std::filesystem::path& programs) const {
-  // Of a run that has ended, what is wrong with it is said here; one that begins may yet come to
-  // be.
+  // A run that nobody writes any more has to open; one that goes on may not have its logs yet.
   if (!goes_on(run_)) opened(run_);
   const ViewServer server(run_, programs, port_, [this] { return goes_on(run_); });
   fmt::print("{} is at {} until Ctrl-C\n", run_, server.address());
