@@ -167,19 +167,45 @@ TEST(NamedReader, RefusesWhatCannotBeKept) {
   Step step = with_a_status();
   std::get<StatusMessage>(step.event.what).phase = static_cast<Phase>(9);
   EXPECT_THAT(problem(with(schema_of<Step>(), "StatusMessage", "uint8 phase", "int32 phase"), step),
-              HasSubstr("field phase: 9, legal: up to 4"));
+              HasSubstr("field phase: 9, legal: 0 to 4"));
   step = with_a_status();
   step.update.wake_ns = 0;
   step.event.now_ns = -1;
   EXPECT_EQ(problem(with(schema_of<Step>(), "Event", "int64 now_ns", "int32 now_ns"), step), "");
   std::get<StatusMessage>(step.event.what).round = ~std::uint32_t{0};
   EXPECT_THAT(problem(with(schema_of<Step>(), "StatusMessage", "uint32 round", "int8 round"), step),
-              HasSubstr("field round: -1, legal: up to 4294967295"));
+              HasSubstr("field round: -1, legal: 0 to 4294967295"));
   // An event of a kind that came and went.
   const std::string other =
       with(schema_of<Step>(), "Event", "arcbid_msgs/StatusMessage[<=1] status",
            "arcbid_msgs/StatusMessage[<=1] gossip");
   EXPECT_THAT(problem(other, step), HasSubstr("Event: 0 alternatives of a choice"));
+}
+
+TEST(NamedReader, MakesUpNoKindWhereAllHaveOtherNames) {
+  std::string schema = schema_of<Step>();
+  for (const auto& [type, name] : {std::pair{"Tick", "tick"},
+                                   {"BidMessage", "bid"},
+                                   {"RelayMessage", "relay"},
+                                   {"StatusMessage", "status"},
+                                   {"RoutePublished", "route_published"}})
+    schema = with(schema, "Event", fmt::format("arcbid_msgs/{}[<=1] {}", type, name),
+                  fmt::format("arcbid_msgs/{}[<=1] old_{}", type, name));
+  try {
+    read_by(schema);
+    ADD_FAILURE() << "was read";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("Event: 0 alternatives of a choice that are known here"));
+  }
+}
+
+TEST(NamedReader, LeavesAPlaceThatIsNotThereAtTheOrigin) {
+  Mission mission;
+  mission.arcs = {{{0}, ArcKind::outline, {{{1, 2, 3}, {0, 0, 1}}, {{4, 5, 6}, {0, 0, 1}}}}};
+  const StoredSchema stored(with(schema_of<Mission>(), "Waypoint", "float64[3] look", ""));
+  const Mission read = decode<Mission>(OtherBuild::encode(mission, stored), &stored);
+  for (const Waypoint& waypoint : read.arcs[0].waypoints) EXPECT_EQ(waypoint.look, Vec3::Zero());
+  EXPECT_EQ(read.arcs[0].waypoints[1].position_m, mission.arcs[0].waypoints[1].position_m);
 }
 
 TEST(NamedReader, SurvivesEveryTruncationAndEveryChangedByte) {

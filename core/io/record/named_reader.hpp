@@ -22,26 +22,39 @@ class NamedReader {
 
   template <class T>
   void read(const StoredSchema::Record& stored, T& record) {
-    Taker take{*this, nullptr, false, 0, 0};
+    Blank blank;
+    fields(blank, record);
+    Taker take{*this, nullptr, false, false, 0};
     for (const StoredSchema::Field& field : stored.fields) {
       take.field = &field;
       take.is_taken = false;
       fields(take, record);
       if (!take.is_taken) skip(field.type);
     }
-    if (take.alternatives > 0 && take.chosen != 1)
+    if (take.is_choice && take.chosen != 1)
       throw InputError(
           fmt::format("{}: {} alternatives of a choice that are known here, legal: one",
                       record_name<T>, take.chosen));
   }
 
  private:
+  /// Eigen leaves vectors as they are: what is not stored would be what was there before.
+  struct Blank {
+    template <class T>
+    void operator()(std::string_view, T& value) {
+      if constexpr (std::same_as<T, Vec3>) value.setZero();
+    }
+    template <std::size_t n, class... Ts>
+    void choice(const std::array<std::string_view, n>&, std::variant<Ts...>&) {}
+  };
+
   /// Goes through this build's fields for one that is stored.
   struct Taker {
     NamedReader& reader;
     const StoredSchema::Field* field;
     bool is_taken;
-    int alternatives, chosen;  // of a choice: how many are stored, how many are there
+    bool is_choice;  // whether the record here is one, whatever is stored
+    int chosen;      // how many of its alternatives are there
 
     template <class T>
     void operator()(std::string_view name, T& value) {
@@ -52,6 +65,7 @@ class NamedReader {
     }
     template <std::size_t n, class... Ts>
     void choice(const std::array<std::string_view, n>& names, std::variant<Ts...>& value) {
+      is_choice = true;
       std::size_t at = 0;
       (alternative<Ts>(names[at++], value), ...);
     }
@@ -61,7 +75,6 @@ class NamedReader {
           field->type.shape != StoredSchema::Shape::sequence)
         return;
       is_taken = true;
-      ++alternatives;
       reader.field_ = name;
       if (!reader.is_there()) return;
       ++chosen;
@@ -112,8 +125,7 @@ class NamedReader {
   void get(const Type& type, std::optional<T>& value) {
     value.reset();
     if constexpr (IsId<T>) {
-      const auto id = number<std::int64_t>(type, std::numeric_limits<std::uint32_t>::max());
-      if (id < -1) refuse(fmt::format("{} is no id, nor -1", id));
+      const auto id = number<std::int64_t>(type, std::numeric_limits<std::uint32_t>::max(), -1);
       if (id >= 0) value = T{static_cast<std::uint32_t>(id)};
     } else if (is_there()) {
       get(type, value.emplace());
@@ -122,12 +134,13 @@ class NamedReader {
 
   /// A number as it is stored, to a wider or a narrower one; it must be the same.
   template <class T>
-  T number(const Type& type, T most = std::numeric_limits<T>::max()) {
+  T number(const Type& type, T most = std::numeric_limits<T>::max(),
+           T least = std::numeric_limits<T>::lowest()) {
     T out{};
     with_number(type, [&](auto stored) {
       if constexpr (std::integral<T> && std::integral<decltype(stored)>) {
-        if (!std::in_range<T>(stored) || std::cmp_greater(stored, most))
-          refuse(fmt::format("{}, legal: up to {}", stored, most));
+        if (std::cmp_less(stored, least) || std::cmp_greater(stored, most))
+          refuse(fmt::format("{}, legal: {} to {}", stored, least, most));
       }
       out = static_cast<T>(stored);
     });
