@@ -45,48 +45,54 @@ std::optional<MessageId> message_in(const json& body) {
                    number("sequence").value_or(0)};
 }
 
-/// Counts what came to one life, each message once: when it came, not when its copies were heard.
+/// Counts what came to the agents, each message once: when it came, not when its copies were heard.
+/// A copy may be heard by a later life than the one it came to.
 class Arrivals {
  public:
-  Arrivals(const LifeLog& life, std::map<Cell, Counts>& cells)
-      : to_(life.agent().value), cells_(cells) {
-    read(life, log_kind::lost, [this](TimeNs t_ns, const json& body) {
-      if (const auto message = message_in(body)) ++sent(t_ns, *message).lost;
-    });
-    read(life, log_kind::fate, [this](TimeNs t_ns, const json& body) { meet(t_ns, body); });
-    for (const Mark& mark : life.marks())
-      if (mark.heard && !met_.contains(*mark.heard)) sent(mark.t_ns, *mark.heard);
+  explicit Arrivals(const std::vector<LifeLog>& lives) {
+    for (const LifeLog& life : lives) take_records(life);
+    for (const LifeLog& life : lives) {
+      const std::set<MessageId>& met = met_[life.agent()];
+      for (const Mark& mark : life.marks())
+        if (mark.heard && !met.contains(*mark.heard)) sent(mark.t_ns, *mark.heard, life.agent());
+    }
   }
+  const std::map<Cell, Counts>& cells() const { return cells_; }
 
  private:
-  Counts& sent(TimeNs t_ns, const MessageId& message) {
-    Counts& counts = cells_[{t_ns / bin_ns, message.sender.value, to_}];
+  void take_records(const LifeLog& life) {
+    const AgentId to = life.agent();
+    read(life, log_kind::lost, [this, to](TimeNs t_ns, const json& body) {
+      if (const auto message = message_in(body)) ++sent(t_ns, *message, to).lost;
+    });
+    read(life, log_kind::fate, [this, to](TimeNs t_ns, const json& body) { meet(t_ns, body, to); });
+  }
+  Counts& sent(TimeNs t_ns, const MessageId& message, AgentId to) {
+    Counts& counts = cells_[{t_ns / bin_ns, message.sender.value, to.value}];
     ++counts.sent;
     return counts;
   }
-  void meet(TimeNs t_ns, const json& body) {
+  void meet(TimeNs t_ns, const json& body, AgentId to) {
     const auto message = message_in(body);
     const json after_ns = body.value("after_ns", json());
     if (!message || !after_ns.is_array() || after_ns.empty()) return;
-    met_.insert(*message);
-    Counts& counts = sent(t_ns, *message);
+    met_[to].insert(*message);
+    Counts& counts = sent(t_ns, *message, to);
     if (after_ns[0].is_number_integer() && after_ns[0] > 0) ++counts.delayed;
     counts.duplicated += after_ns.size() - 1;
   }
 
-  std::uint32_t to_;
-  std::map<Cell, Counts>& cells_;
-  std::set<MessageId> met_;  // those with a record of their own
+  std::map<Cell, Counts> cells_;
+  std::map<AgentId, std::set<MessageId>> met_;  // by receiver: those with a record of their own
 };
 
 }  // namespace
 
 /// Each receiver's log says what came and what the fault schedule did to it.
 json links_data(const RunArchive& run) {
-  std::map<Cell, Counts> cells;
-  for (const LifeLog& life : run.lives) Arrivals(life, cells);
+  const Arrivals arrivals(run.lives);
   json rows = json::array();
-  for (const auto& [cell, counts] : cells) {
+  for (const auto& [cell, counts] : arrivals.cells()) {
     const auto& [bin, from, to] = cell;
     rows.push_back({bin, from, to, counts.sent, counts.lost, counts.delayed, counts.duplicated});
   }

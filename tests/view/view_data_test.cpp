@@ -8,7 +8,6 @@
 
 #include "core/auction/agent.hpp"
 #include "core/io/run/run_lock.hpp"
-#include "sim/world/world_log.hpp"
 #include "tests/view/recorded_world.hpp"
 
 namespace arcbid::testing {
@@ -118,77 +117,6 @@ TEST_P(ViewDataTest, HasARouteForEveryAgentAtItsPace) {
 INSTANTIATE_TEST_SUITE_P(Under, ViewDataTest,
                          ::testing::Values(PolicyKind::claims, PolicyKind::claims_keep,
                                            PolicyKind::cbba_rebuild));
-
-/// Counts beside the log what became of messages.
-class Counting final : public WorldObserver {
- public:
-  using Link = std::pair<std::uint32_t, std::uint32_t>;
-  explicit Counting(WorldLog& log) : log_(log) {}
-  std::map<Link, LinkCounters> links;
-  std::map<std::uint32_t, std::uint64_t> said;
-
-  void born(std::uint32_t life, AgentId agent, std::uint64_t incarnation, TimeNs now_ns,
-            TimeNs clock_ns) override {
-    agents_[life] = agent.value;
-    log_.born(life, agent, incarnation, now_ns, clock_ns);
-  }
-  void stepped(std::uint32_t life, TimeNs now_ns, const Event& event,
-               const Update& update) override {
-    said[agents_[life]] += update.bids.size() + update.relays.size() + update.statuses.size();
-    log_.stepped(life, now_ns, event, update);
-  }
-  void met_fate(std::uint32_t life, TimeNs now_ns, const Header& header,
-                const Fate& fate) override {
-    LinkCounters& link = links[{header.sender.value, agents_[life]}];
-    link.dropped += fate.arrivals_ns.empty() ? 1 : 0;
-    link.delayed += !fate.arrivals_ns.empty() && fate.arrivals_ns.front() > now_ns ? 1 : 0;
-    link.duplicated += fate.arrivals_ns.empty() ? 0 : fate.arrivals_ns.size() - 1;
-    log_.met_fate(life, now_ns, header, fate);
-  }
-  void outlived(std::uint32_t life, TimeNs now_ns) override { log_.outlived(life, now_ns); }
-
- private:
-  WorldLog& log_;
-  std::map<std::uint32_t, std::uint32_t> agents_;  // by life
-};
-
-TEST(ViewData, TellsWhatLinksLostDelayedAndDoubled) {
-  const Folder folder;
-  WorldSettings settings;
-  settings.agents = {4, 4};
-  settings.topologies = {TopologyKind::ring};
-  for (const WorldFault fault : {WorldFault::loss, WorldFault::delay, WorldFault::duplicate})
-    settings.odds[static_cast<std::size_t>(fault)] = 1;
-  const WorldSpec world = make_world(settings, 3);
-  WorldLog log(world, folder.path / "run");
-  Counting counting(log);
-  log.write_result(run_world(world, {}, &counting));
-  std::map<Counting::Link, LinkCounters> shown;
-  const json data = view_data(open_run(folder.path / "run"));
-  for (const json& row : data["auction"]["links"]["rows"]) {
-    LinkCounters& link = shown[{row[1], row[2]}];
-    link.sent += row[3].get<std::uint64_t>();
-    link.dropped += row[4].get<std::uint64_t>();
-    link.delayed += row[5].get<std::uint64_t>();
-    link.duplicated += row[6].get<std::uint64_t>();
-  }
-  ASSERT_EQ(shown.size(), 12u);
-  std::uint64_t delayed = 0, duplicated = 0, silent = 0;
-  for (const auto& [link, counts] : shown) {
-    const LinkCounters& was = counting.links[link];
-    EXPECT_EQ(counts.dropped, was.dropped);
-    EXPECT_EQ(counts.delayed, was.delayed);
-    EXPECT_EQ(counts.duplicated, was.duplicated);
-    EXPECT_LE(counts.sent, counting.said[link.first]) << "a copy is no message of its own";
-    EXPECT_GE(counts.sent + 5, counting.said[link.first]) << "a few are under way at the end";
-    delayed += counts.delayed;
-    duplicated += counts.duplicated;
-    silent += counts.dropped == counts.sent ? 1 : 0;
-  }
-  EXPECT_GT(delayed, 0u);
-  EXPECT_GT(duplicated, 0u);
-  EXPECT_EQ(silent, 4u) << "those that the ring has not";
-}
 
 TEST(ViewData, IsLiveWhileTheLauncherRuns) {
   const Folder folder;
