@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "core/arcs/mission_misfit.hpp"
 #include "core/auction/task_set.hpp"
 #include "core/base/error.hpp"
 #include "core/io/run/agent_log.hpp"

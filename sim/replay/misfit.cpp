@@ -58,40 +58,7 @@ class Fitting {
   const std::size_t tasks_;
 };
 
-bool is_place(const Vec3& at) {
-  constexpr double farthest_m = 1e6;  // structures are read into a local frame
-  return at.array().isFinite().all() && at.cwiseAbs().maxCoeff() <= farthest_m;
-}
-
-bool is_arc(const Arc& arc, std::size_t position) {
-  if (arc.id.value != position || arc.waypoints.size() < 2) return false;
-  const auto& at = arc.waypoints;
-  for (std::size_t w = 0; w < at.size(); ++w)
-    if (!is_place(at[w].position_m) || (w > 0 && at[w].position_m == at[w - 1].position_m))
-      return false;
-  return true;
-}
-
 }  // namespace
-
-std::optional<std::string> misfit(const Mission& mission) {
-  constexpr std::uint32_t most_tasks = 100'000;
-  for (std::size_t m = 0; m < mission.arcs.size(); ++m)
-    if (!is_arc(mission.arcs[m], m)) return fmt::format("arc {} is no line of waypoints", m);
-  const auto& fleet = mission.fleet;
-  for (std::size_t k = 0; k < fleet.size(); ++k) {
-    const bool ascends = fleet[k].id > (k > 0 ? fleet[k - 1].id : AgentId{0});
-    if (!ascends || !is_place(fleet[k].home_m) || !(fleet[k].speed_mps > 0))
-      return fmt::format("agent {} of its fleet is none", k + 1);
-  }
-  if (mission.arcs.empty() || fleet.empty()) return "it has no arcs or no fleet";
-  const AuctionSettings& auction = mission.auction;
-  if (auction.max_tasks == 0 || auction.max_tasks > most_tasks)
-    return fmt::format("max_tasks is {}", auction.max_tasks);
-  if (auction.split_m && !(*auction.split_m > 0))
-    return fmt::format("split_m is {}", *auction.split_m);
-  return std::nullopt;
-}
 
 std::optional<std::string> misfit(const Step& step, const Mission& mission, std::size_t tasks) {
   Fitting fitting(mission, tasks);

@@ -12,8 +12,4 @@ namespace arcbid {
 /// reads but was damaged. Messages that the core refused may hold anything. None: it fits.
 std::optional<std::string> misfit(const Step& step, const Mission& mission, std::size_t tasks);
 
-/// Why a mission on record is none that anybody flew: it cannot be split into tasks, or its fleet
-/// is no fleet. The rules are those for missions on the wire. None: it may be one.
-std::optional<std::string> misfit(const Mission& mission);
-
 }  // namespace arcbid

@@ -9,6 +9,7 @@
 #include <limits>
 #include <map>
 
+#include "core/arcs/mission_misfit.hpp"
 #include "core/base/digest.hpp"
 #include "core/base/error.hpp"
 #include "core/io/faults/fault_files.hpp"
@@ -88,6 +89,7 @@ class LifeReader {
       return;
     }
     const LogSchemas schemas(log);
+    schemas.demand_read();
     // What the mission does not have would be made up: another run than this.
     if (schemas.of(log_kind::mission)) schemas.demand_own();
     take(mission_in(mission->body, file), file);
@@ -103,7 +105,9 @@ class LifeReader {
  private:
   static Mission mission_in(const std::string& bytes, const Path& file) {
     try {
-      return decode<Mission>(bytes);
+      Mission mission = decode<Mission>(bytes);
+      if (const auto problem = misfit(mission)) throw InputError(*problem);
+      return mission;
     } catch (const InputError& error) {
       throw InputError(fmt::format("{}: mission: {}", file.string(), error.what()));
     }

@@ -3,9 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <functional>
-
 namespace arcbid {
 namespace {
 
@@ -58,36 +55,6 @@ TEST(Misfit, LetsAnythingPassThatTheCoreRefused) {
   Step step = heard({{5}, {1, false, 1}, Claims{{{{300}, -1}}}});
   step.update.refused = "agent 5 is not of the fleet";
   EXPECT_EQ(misfit(step, two_agents(), tasks), std::nullopt);
-}
-
-Mission sound() {
-  Mission mission = two_agents();
-  mission.arcs = {{{0}, ArcKind::outline, {{{0, 0, 0}, {1, 0, 0}}, {{9, 0, 0}, {1, 0, 0}}}}};
-  return mission;
-}
-
-TEST(MisfitMission, LetsPassOneThatCanBeFlown) {
-  EXPECT_EQ(misfit(sound()), std::nullopt);
-}
-
-TEST(MisfitMission, NamesWhatCannotBe) {
-  const auto problem = [](const std::function<void(Mission&)>& damage) {
-    Mission mission = sound();
-    damage(mission);
-    return misfit(mission).value_or("");
-  };
-  const std::string no_line = "arc 0 is no line of waypoints";
-  EXPECT_EQ(problem([](Mission& m) { m.arcs[0].waypoints[1].position_m.setZero(); }), no_line);
-  EXPECT_EQ(problem([](Mission& m) { m.arcs[0].waypoints[1].position_m.x() = NAN; }), no_line);
-  EXPECT_EQ(problem([](Mission& m) { m.arcs[0].waypoints[1].position_m.x() = 1e300; }), no_line);
-  EXPECT_EQ(problem([](Mission& m) { m.arcs[0].waypoints.pop_back(); }), no_line);
-  EXPECT_EQ(problem([](Mission& m) { m.arcs[0].id = {7}; }), no_line);
-  EXPECT_EQ(problem([](Mission& m) { m.fleet[1].id = {4}; }), "agent 2 of its fleet is none");
-  EXPECT_EQ(problem([](Mission& m) { m.fleet[0].id = {0}; }), "agent 1 of its fleet is none");
-  EXPECT_EQ(problem([](Mission& m) { m.fleet[0].speed_mps = 0; }), "agent 1 of its fleet is none");
-  EXPECT_EQ(problem([](Mission& m) { m.fleet.clear(); }), "it has no arcs or no fleet");
-  EXPECT_EQ(problem([](Mission& m) { m.auction.max_tasks = 1 << 30; }), "max_tasks is 1073741824");
-  EXPECT_EQ(problem([](Mission& m) { m.auction.split_m = -1; }), "split_m is -1");
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "core/io/run/run_files.hpp"
 #include "core/io/run/run_log.hpp"
 #include "sim/world/run.hpp"
+#include "tests/record/other_build.hpp"
 
 namespace arcbid::testing {
 namespace {
@@ -46,12 +47,15 @@ class LiveRunTest : public ::testing::Test {
   ~LiveRunTest() override { std::filesystem::remove_all(run); }
 
   void log(int agent, const Mission& what) const {
+    log(agent, encode(what), cdr_kind<Mission>("mission"));
+  }
+  void log(int agent, const std::string& what, const RecordKind& kind) const {
     const auto file = run / "logs" / fmt::format("agent_{}.17.sqlite", agent);
     std::filesystem::remove(file);
     RunLog out(file);
     out.meta("schema", RunLog::schema);
     out.meta("process", {{"agent", agent}, {"pid", 100 + agent}});
-    out.append(agent * second, out.kind(cdr_kind<Mission>("mission")), encode(what));
+    out.append(agent * second, out.kind(kind), what);
     out.append(9 * second, "end", {{"by", "coordinator"}});
   }
   void write(const std::string& name, const std::string& text) const {
@@ -118,6 +122,26 @@ TEST_F(LiveRunTest, LeavesOutALifeThatNeverHadTheMissionAndSaysSo) {
   const LiveRun live = read_run(run);
   EXPECT_EQ(live.lives.size(), 2u);
   EXPECT_THAT(live.left_out, ::testing::ElementsAre(HasSubstr("agent_1.18.sqlite")));
+}
+
+TEST_F(LiveRunTest, IsNotMadeOfAMissionThatAnotherArcbidLaidOut) {
+  const std::string schema = with(schema_of<Mission>(), "AuctionSettings", "bool audit_bids", "");
+  log(1, OtherBuild::encode(mission, StoredSchema(schema)), {"mission", "cdr", schema});
+  EXPECT_THAT(problem(), HasSubstr("agent_1.17.sqlite: plays, but cannot be verified: "));
+  EXPECT_THAT(problem(), HasSubstr("mission: AuctionSettings.audit_bids is not there"));
+}
+
+TEST_F(LiveRunTest, IsNotMadeOfAMissionWhoseSchemaCannotBeRead) {
+  log(2, encode(mission), {"mission", "cdr", "strong name\n" + schema_of<Mission>()});
+  EXPECT_THAT(problem(), HasSubstr("agent_2.17.sqlite: written by arcbid "));
+  EXPECT_THAT(problem(), HasSubstr("mission: its schema cannot be read: its line \"strong\""));
+}
+
+TEST_F(LiveRunTest, IsNotMadeOfAMissionThatIsNone) {
+  Mission damaged = mission;
+  damaged.fleet[1].id = damaged.fleet[0].id;
+  log(1, damaged);
+  EXPECT_THAT(problem(), HasSubstr("agent_1.17.sqlite: mission: agent 2 of its fleet is none"));
 }
 
 TEST_F(LiveRunTest, SaysInOneLineWhatIsMissing) {
