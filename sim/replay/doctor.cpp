@@ -119,7 +119,8 @@ void pardon_the_unborn(std::vector<LogReport>& logs) {
 
 bool LogReport::whole() const {
   if (never_began) return true;
-  if (!not_read.empty() || !lost.empty() || !complaints.empty() || wal.lost_commits > 0)
+  if (!not_read.empty() || !lost.empty() || !complaints.empty() || wal.lost_commits > 0 ||
+      unread_schema)
     return false;
   if (!heard_only) return true;
   if (ended_by || !heard_only->behind_its_end) return false;

@@ -70,6 +70,7 @@ void Evidence::judge(std::vector<LogReport>& logs) const {
   for (const auto& [message, t_ns] : heard_) {
     if (std::binary_search(on_record.begin(), on_record.end(), message)) continue;
     LogReport& log = logs[life_of(message, logs)];
+    if (log.unread_schema) continue;  // it may well be on its record
     if (!log.heard_only) log.heard_only.emplace();
     add(*log.heard_only, message, t_ns);
   }

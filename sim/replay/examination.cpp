@@ -65,7 +65,8 @@ class Examination {
  private:
   bool take(const RunLogReader::Record& record, const LogSchemas& schemas) {
     try {
-      understand(record, schemas.of(record.kind));
+      // By a schema that is none, nothing can be said of what is in it.
+      if (!schemas.is_unread(record.kind)) understand(record, schemas.of(record.kind));
     } catch (const InputError& error) {
       lose(log_, {record.seq, record.seq, fmt::format("{}: {}", record.kind, error.what())});
       return true;

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <fstream>
 #include <future>
-#include <map>
 #include <thread>
 
 #include "core/base/error.hpp"
@@ -80,16 +79,11 @@ RunArchive open_run(const Path& directory) {
 }
 
 std::vector<std::string> unverifiable(const RunArchive& run) {
-  std::map<std::string, std::vector<std::string>> files;  // by what is to be said of them
+  OtherLogs logs;
   for (const LifeLog& life : run.lives)
     if (const auto& other = life.schemas().other())
-      files[*other].push_back(life.file().filename().string());
-  std::vector<std::string> out;
-  for (const auto& [why, of] : files)
-    out.push_back(fmt::format(
-        "{}{}: plays, but cannot be verified: {}", of.front(),
-        of.size() > 1 ? fmt::format(" and {} more", of.size() - 1) : std::string(), why));
-  return out;
+      logs[*other].push_back(life.file().filename().string());
+  return lines_about(logs, "plays, but cannot be verified");
 }
 
 }  // namespace arcbid

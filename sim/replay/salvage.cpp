@@ -7,6 +7,7 @@
 #include <map>
 
 #include "core/base/error.hpp"
+#include "core/io/record/stored_schema.hpp"
 #include "core/io/run/agent_log.hpp"
 
 namespace arcbid {
@@ -26,14 +27,25 @@ bool is_lost(const LogReport& log, std::int64_t seq) {
   return false;
 }
 
+/// Whether records can be read by it: what is damaged may be none any more.
+bool is_sound(const std::string& schema) {
+  try {
+    const StoredSchema stored(schema);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
 Common common_of(const RunReport& report) {
   Common common;
   for (const LogReport& log : report.logs) {
     if (!log.not_read.empty()) continue;
     const RunLogReader reader(log.file);
     for (const RecordKind& kind : reader.kinds())
-      if (!kind.schema.empty()) common.kinds[kind.name] = kind;
-    if (!common.mission.empty() || log.role != "agent" || !log.lost.empty()) continue;
+      if (is_sound(kind.schema)) common.kinds[kind.name] = kind;
+    if (!common.mission.empty() || log.role != "agent" || !log.lost.empty() || log.unread_schema)
+      continue;
     if (const auto mission = reader.first(log_kind::mission)) common.mission = mission->body;
   }
   return common;
@@ -51,7 +63,7 @@ class Copy {
     to_.meta("last_seq", log.last_seq);
     for (RecordKind kind : from_.kinds()) {
       const auto known = common.kinds.find(kind.name);
-      if (kind.schema.empty() && known != common.kinds.end()) kind = known->second;
+      if (known != common.kinds.end() && !is_sound(kind.schema)) kind = known->second;
       to_.kind(kind);
     }
   }

@@ -60,6 +60,7 @@ void LogSchemas::compare(const RecordKind& kind, const std::string& own, std::st
     say(other_, shortened(stored.differences(StoredSchema(own), name)));
     others_.emplace_back(kind.name, std::move(stored));
   } catch (const InputError& error) {
+    unread_kinds_.push_back(kind.name);
     say(unread_, fmt::format("its schema cannot be read: {}", error.what()));
   }
 }
@@ -68,6 +69,10 @@ const StoredSchema* LogSchemas::of(std::string_view kind) const {
   for (const auto& [name, schema] : others_)
     if (name == kind) return &schema;
   return nullptr;
+}
+
+bool LogSchemas::is_unread(std::string_view kind) const {
+  return std::find(unread_kinds_.begin(), unread_kinds_.end(), kind) != unread_kinds_.end();
 }
 
 void LogSchemas::demand_read() const {
@@ -82,6 +87,16 @@ void LogSchemas::demand_own() const {
 void LogSchemas::refuse(const RunLogReader::Record& record, const char* why) const {
   throw InputError(
       fmt::format("{}: record {} ({}): {}", file_.string(), record.seq, record.kind, why));
+}
+
+std::vector<std::string> lines_about(const OtherLogs& logs, std::string_view what) {
+  std::vector<std::string> out;
+  for (const auto& [why, files] : logs)
+    out.push_back(fmt::format(
+        "{}{}: {}: {}", files.front(),
+        files.size() > 1 ? fmt::format(" and {} more", files.size() - 1) : std::string(), what,
+        why));
+  return out;
 }
 
 }  // namespace arcbid

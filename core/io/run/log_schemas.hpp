@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -40,6 +41,8 @@ class LogSchemas {
   /// Which schema is none, likewise: it is damaged, or of an arcbid that is much newer. Records are
   /// taken for this build's then, and need not be.
   const std::optional<std::string>& unread() const { return unread_; }
+  /// Whether that is so of this kind.
+  bool is_unread(std::string_view kind) const;
   /// Throw InputError, one line with the file's name: if there is a schema that is none; if there
   /// is one that is another, so that nothing could be the same bit for bit.
   void demand_read() const;
@@ -60,7 +63,13 @@ class LogSchemas {
   std::filesystem::path file_;
   std::string build_;
   std::vector<std::pair<std::string, StoredSchema>> others_;  // by the names of their kinds
+  std::vector<std::string> unread_kinds_;
   std::optional<std::string> other_, unread_;
 };
+
+/// Names of logs by their LogSchemas::other().
+using OtherLogs = std::map<std::string, std::vector<std::string>>;
+/// One line for each arcbid that wrote some: "FILE and 2 more: WHAT: written by ...".
+std::vector<std::string> lines_about(const OtherLogs& logs, std::string_view what);
 
 }  // namespace arcbid
