@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/arcs/mission_misfit.hpp"
 #include "core/auction/roster.hpp"
 #include "core/auction/validation.hpp"
 #include "core/base/error.hpp"
@@ -91,7 +92,7 @@ class Scan {
 
  private:
   void take(const RunLogReader::Record& record) {
-    if (record.kind == log_kind::mission) mission = schemas_.decode<Mission>(record);
+    if (record.kind == log_kind::mission) take(schemas_.decode<Mission>(record));
     if (record.kind != log_kind::step) return;
     if (!mission) throw InputError("a step before its mission");
     const auto said = said_in(schemas_.decode<Step>(record));
@@ -99,6 +100,10 @@ class Scan {
     for (const AgentMessage& message : said)
       if (const auto reason = sayable_->refusal(message)) throw InputError(*reason);
     steps.emplace_back(record.t_ns, record.seq);
+  }
+  void take(Mission read) {
+    if (const auto problem = misfit(read)) throw InputError(fmt::format("mission: {}", *problem));
+    mission = std::move(read);
   }
   /// A mission that is damaged may well be one still, but not the one that the agent spoke of.
   void trust_mission(const Header& named) {
@@ -149,7 +154,12 @@ void RecordedMessages::read(const Path& file) {
                                  file.string(), digest(*scan->mission), digest(mission_)));
   mission_ = std::move(*scan->mission);
   for (const auto& [t_ns, seq] : scan->steps) steps_.push_back({t_ns, logs_.size(), seq});
+  if (const auto& other = log->schemas.other()) others_[*other].push_back(file.filename().string());
   logs_.push_back(std::move(*log));
+}
+
+std::vector<std::string> RecordedMessages::of_other_builds() const {
+  return lines_about(others_, "agents of this build may refuse its messages");
 }
 
 std::vector<AgentId> RecordedMessages::fleet() const {

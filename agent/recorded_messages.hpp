@@ -29,6 +29,9 @@ class RecordedMessages {
   /// One line each: logs that cannot be read, and what a damaged one has lost. Damage are also
   /// records that still read and hold what no agent of the mission can have said.
   const std::vector<std::string>& left_out() const { return left_out_; }
+  /// One line for each other arcbid whose records these are: what is said again is this build's,
+  /// but digests are as they were said, and a listener of this build need not know them.
+  std::vector<std::string> of_other_builds() const;
   /// In the order of the logs' times, until `take` returns false. It goes on behind what is
   /// damaged.
   void play(const std::function<bool(TimeNs t_ns, const AgentMessage& message)>& take) const;
@@ -50,6 +53,7 @@ class RecordedMessages {
   std::vector<Log> logs_;
   std::vector<Place> steps_;
   std::vector<std::string> left_out_;
+  OtherLogs others_;
 };
 
 }  // namespace arcbid

@@ -103,6 +103,7 @@ int main(int argc, char** argv) {
   return run_command_line(app, argc, argv, [&] {
     const RecordedMessages record(run);
     for (const std::string& line : record.left_out()) fmt::print(stderr, "left out: {}\n", line);
+    for (const std::string& line : record.of_other_builds()) fmt::print(stderr, "{}\n", line);
     std::optional<DomainLease> lease;
     const std::vector<AgentId> fleet = record.fleet();
     if (!domain) lease.emplace(static_cast<std::uint32_t>(fleet.size()));

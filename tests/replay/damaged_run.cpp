@@ -44,6 +44,18 @@ void put_bytes(const fs::path& file, const std::string& bytes) {
   std::ofstream(file, std::ios::binary | std::ios::trunc) << bytes;
 }
 
+void put_record(const fs::path& log, std::int64_t seq, const std::string& body) {
+  sqlite3* db = nullptr;
+  sqlite3_open(log.c_str(), &db);
+  sqlite3_stmt* update = nullptr;
+  sqlite3_prepare_v2(db, "UPDATE events SET body = ? WHERE seq = ?", -1, &update, nullptr);
+  sqlite3_bind_blob(update, 1, body.data(), static_cast<int>(body.size()), SQLITE_STATIC);
+  sqlite3_bind_int64(update, 2, seq);
+  EXPECT_EQ(sqlite3_step(update), SQLITE_DONE);
+  sqlite3_finalize(update);
+  sqlite3_close_v2(db);
+}
+
 std::set<std::int64_t> intact_by(const LogReport& report, std::int64_t most) {
   std::set<std::int64_t> out;
   if (!report.not_read.empty()) return out;

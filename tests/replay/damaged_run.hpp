@@ -19,6 +19,9 @@ std::map<std::int64_t, std::string> readable(const std::filesystem::path& log, s
 std::string bytes_of(const std::filesystem::path& file);
 void put_bytes(const std::filesystem::path& file, const std::string& bytes);
 
+/// Writes another body where the record of that number is.
+void put_record(const std::filesystem::path& log, std::int64_t seq, const std::string& body);
+
 /// The numbers up to `most` that a report says are intact.
 std::set<std::int64_t> intact_by(const LogReport& report, std::int64_t most);
 

@@ -52,4 +52,30 @@ void make_older(const fs::path& run,
   }
 }
 
+std::string otherwise(const std::string& kind, std::string schema) {
+  if (kind == "step") {
+    schema = with(schema, "Header", "uint64 task_digest", "");
+    schema = with(schema, "Header", "uint64 sequence", "uint32 sequence");
+    schema = with(schema, "Claim", "uint32 task", "");
+    schema = with(schema, "Claim", "float64 bid", "float64 bid\nstring note\nuint32 task");
+  }
+  if (kind == "mission") schema = with(schema, "AuctionSettings", "bool audit_bids", "");
+  if (kind == "birth") schema = with(schema, "", "uint32 agent", "uint16[] spare\nuint8 agent");
+  if (kind == "route") schema = with(schema, "Route", "float64 crsom_m", "");
+  return schema;
+}
+
+std::string otherwise_but_whole(const std::string& kind, std::string schema) {
+  if (kind == "step") {
+    schema = with(schema, "Header", "uint64 sequence", "uint32 sequence");
+    schema = with(schema, "Claim", "uint32 task", "");
+    schema = with(schema, "Claim", "float64 bid", "float64 bid\nstring note\nuint32 task");
+  }
+  if (kind == "mission")
+    schema = with(schema, "AuctionSettings", "uint32 max_tasks", "int64[] spare\nuint64 max_tasks");
+  if (kind == "birth") schema = with(schema, "", "uint32 agent", "uint8 agent");
+  if (kind == "route") schema = with(schema, "Route", "float64 crsom_m", "bool b\nfloat64 crsom_m");
+  return schema;
+}
+
 }  // namespace arcbid::testing

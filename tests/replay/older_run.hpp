@@ -13,4 +13,10 @@ void make_older(
     const std::filesystem::path& run,
     const std::function<std::string(const std::string& kind, std::string schema)>& change);
 
+/// For make_older(): a field less, fields more, another order, a narrower number. Some values are
+/// lost.
+std::string otherwise(const std::string& kind, std::string schema);
+/// The same where nothing is lost.
+std::string otherwise_but_whole(const std::string& kind, std::string schema);
+
 }  // namespace arcbid::testing

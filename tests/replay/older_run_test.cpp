@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Runs of an arcbid whose records are laid out otherwise: they play as they did, are not verified,
 // and it is said why.
-#include "tests/replay/older_run.hpp"
-
-#include "core/base/error.hpp"
+#include "agent/recorded_messages.hpp"
 #include "sim/replay/counterfactual.hpp"
 #include "sim/replay/playback.hpp"
+#include "sim/replay/salvage.hpp"
 #include "sim/replay/verify.hpp"
+#include "tests/end_to_end/launched.hpp"
 #include "tests/record/other_build.hpp"
-#include "tests/replay/damaged_run.hpp"
+#include "tests/replay/older_run_fixture.hpp"
 
 namespace arcbid::testing {
 namespace {
@@ -16,42 +16,6 @@ namespace {
 using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-
-/// A field less, fields more, another order, a narrower number.
-std::string otherwise(const std::string& kind, std::string schema) {
-  if (kind == "step") {
-    schema = with(schema, "Header", "uint64 task_digest", "");
-    schema = with(schema, "Header", "uint64 sequence", "uint32 sequence");
-    schema = with(schema, "Claim", "uint32 task", "");
-    schema = with(schema, "Claim", "float64 bid", "float64 bid\nstring note\nuint32 task");
-  }
-  if (kind == "mission") schema = with(schema, "AuctionSettings", "bool audit_bids", "");
-  if (kind == "birth") schema = with(schema, "", "uint32 agent", "uint16[] spare\nuint8 agent");
-  if (kind == "route") schema = with(schema, "Route", "float64 crsom_m", "");
-  return schema;
-}
-
-std::string problem_of(const std::function<void()>& act) {
-  try {
-    act();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
-
-class OlderRun : public DamagedRun {
- protected:
-  /// What it was, for comparison, and what it is then.
-  void age(const std::function<std::string(const std::string&, std::string)>& change = otherwise) {
-    record();
-    was = folder / "was";
-    std::filesystem::copy(run, was, std::filesystem::copy_options::recursive);
-    make_older(run, change);
-    records = readable(log, 100'000);
-  }
-  std::filesystem::path was;
-};
 
 TEST_F(OlderRun, PlaysAsItDid) {
   age();
@@ -149,7 +113,33 @@ TEST_F(OlderRun, DoesNotPlayByASchemaThatIsNone) {
       open_run(run).unreadable,
       ElementsAre(AllOf(HasSubstr("written by arcbid 0.0.9 01dbeef"),
                         HasSubstr("step: its schema cannot be read: its line \"strong\""))));
-  EXPECT_THAT(describe(examine(run)), HasSubstr("    does not play: written by arcbid 0.0.9"));
+  const RunReport report = examine(run);
+  EXPECT_THAT(describe(report), HasSubstr("    does not play: written by arcbid 0.0.9"));
+  EXPECT_FALSE(report.whole());
+  EXPECT_TRUE(report.logs[0].whole()) << describe(report);
+  EXPECT_TRUE(report.logs[1].lost.empty()) << "its records may be as they were";
+  EXPECT_FALSE(report.logs[1].heard_only);
+  Launched doctor({"doctor", run});
+  EXPECT_EQ(doctor.wait_for_end(60), 1) << doctor.output();
+  salvage(run, report, folder / "salvaged");
+  const RunArchive salvaged = open_run(folder / "salvaged");
+  ASSERT_EQ(salvaged.lives.size(), 3u) << "the schema is another log's";
+  EXPECT_EQ(salvaged.lives[1].marks().size(), open_run(was).lives[1].marks().size());
+  EXPECT_TRUE(examine(folder / "salvaged").whole());
+}
+
+TEST_F(OlderRun, IsNotSaidAgainWhereItsMissionIsNone) {
+  age();
+  Mission damaged = random_mission(4, 3, 20);
+  damaged.fleet[1].id = damaged.fleet[0].id;
+  const std::vector<RecordKind> kinds = RunLogReader(log).kinds();
+  for (const RecordKind& kind : kinds)
+    if (kind.name == "mission")
+      put_record(log, 1, OtherBuild::encode(damaged, StoredSchema(kind.schema)));
+  const RecordedMessages messages(run);
+  EXPECT_THAT(messages.left_out(),
+              ElementsAre(HasSubstr("record 1: mission: agent 2 of its fleet is none")));
+  EXPECT_EQ(messages.fleet().size(), 3u);
 }
 
 TEST_F(OlderRun, DoesNotCrashWhateverByteIsFlipped) {
@@ -167,6 +157,7 @@ TEST_F(OlderRun, DoesNotCrashWhateverByteIsFlipped) {
       const Playback playback(archive);
       playback.owners(playback.moments().size());
     });
+    problem_of([&] { RecordedMessages{run}; });
   }
 }
 

@@ -2,8 +2,6 @@
 // What arcbid replay --dds says again, of sound and of damaged logs.
 #include "agent/recorded_messages.hpp"
 
-#include <sqlite3.h>
-
 #include <numeric>
 
 #include "core/base/error.hpp"
@@ -31,18 +29,6 @@ class RecordedMessagesTest : public DamagedRun {
     return out;
   }
   std::vector<std::string> left_out() const { return RecordedMessages(run).left_out(); }
-  /// Writes another body where the record of that number is, in agent 2's log.
-  void put_record(std::int64_t seq, const std::string& body) const {
-    sqlite3* db = nullptr;
-    sqlite3_open(log.c_str(), &db);
-    sqlite3_stmt* update = nullptr;
-    sqlite3_prepare_v2(db, "UPDATE events SET body = ? WHERE seq = ?", -1, &update, nullptr);
-    sqlite3_bind_blob(update, 1, body.data(), static_cast<int>(body.size()), SQLITE_STATIC);
-    sqlite3_bind_int64(update, 2, seq);
-    EXPECT_EQ(sqlite3_step(update), SQLITE_DONE);
-    sqlite3_finalize(update);
-    sqlite3_close_v2(db);
-  }
   std::int64_t number_of(std::string_view kind) const {
     std::int64_t seq = 0;
     RunLogReader(log).read(
@@ -70,10 +56,13 @@ TEST_F(RecordedMessagesTest, HaveAllThatWasSaidUnderEveryPolicy) {
     recorded.run_for(3'000'000'000);
     recorded.end();
     EXPECT_THAT(left_out(), IsEmpty()) << name_of(policy);
-    for (const auto& [agent, numbers] : said()) {
-      std::vector<std::uint64_t> all(sent[agent]);
+    Said heard = said();
+    ASSERT_EQ(sent.size(), 3u) << name_of(policy);
+    for (const auto& [agent, count] : sent) {
+      std::vector<std::uint64_t> all(count);
       std::iota(all.begin(), all.end(), 1);
-      EXPECT_EQ(numbers, all) << name_of(policy);
+      EXPECT_GT(count, 0u);
+      EXPECT_EQ(heard[agent], all) << name_of(policy);
     }
   }
 }
@@ -115,7 +104,7 @@ TEST_F(RecordedMessagesTest, DoNotHaveAMissionThatNobodySpokeOf) {
   record();
   Mission damaged = random_mission(4, 3, 20);
   damaged.fleet.back().id.value += 1 << 20;
-  put_record(number_of("mission"), encode(damaged));
+  put_record(log, number_of("mission"), encode(damaged));
   const RecordedMessages messages(run);
   EXPECT_EQ(messages.fleet().back(), AgentId{3});
   EXPECT_THAT(messages.left_out(), ElementsAre(HasSubstr("its messages name mission")));
@@ -133,7 +122,7 @@ TEST_F(RecordedMessagesTest, DoNotHaveABidInAnotherAgentsName) {
     }
   ASSERT_TRUE(seq);
   step.update.bids.front().statement.agent = {1};
-  put_record(*seq, encode(step));
+  put_record(log, *seq, encode(step));
   EXPECT_THAT(left_out(), ElementsAre(HasSubstr("in another agent's name")));
   EXPECT_GT(said().at({2}).size(), 1u);
 }

@@ -153,6 +153,16 @@ TEST_F(ARecordedWorld, IsExplainedWithTheDeadAgentAlive) {
   EXPECT_GT(told, 0u);
 }
 
+TEST_F(ARecordedWorld, SaysWhatWasDoneToItsProcesses) {
+  record(world_with_a_death(), run);
+  const nlohmann::json faults = read_json(run / "result.json")["faults"];
+  ASSERT_EQ(faults.size(), 1u) << faults;
+  EXPECT_EQ(faults[0]["agent"], 2);
+  EXPECT_EQ(faults[0]["action"], "kill");
+  EXPECT_NEAR(faults[0]["time_s"], 3.0, 1e-9);
+  EXPECT_THAT(faults[0]["fault"].get<std::string>(), HasSubstr("agent 2"));
+}
+
 TEST_F(ARecordedWorld, IsWholeAndMissesALogThatIsGone) {
   record(world_with_a_death(), run);
   const RunReport whole = examine(run);

@@ -10,10 +10,12 @@
 #include <iterator>
 #include <map>
 #include <set>
+#include <thread>
 
 #include "agent/recorded_messages.hpp"
 #include "core/io/domain/domain.hpp"
 #include "idl/bus.hpp"
+#include "tests/replay/older_run.hpp"
 #include "tests/replay/recorded_fleet.hpp"
 
 namespace arcbid {
@@ -101,6 +103,19 @@ TEST_F(ReplayerTest, TellsAListenerTheMissionAndWhatEveryAgentSaid) {
   EXPECT_EQ(digest(*mission), digest(record.mission()));
   EXPECT_GT(statuses, 0u);
   EXPECT_EQ(heard, bids);
+}
+
+TEST_F(ReplayerTest, SaysWhenAnotherArcbidRecordedTheRun) {
+  testing::make_older(folder_.path(), testing::otherwise);
+  Replayer replayer(folder_.path(), lease_.domain());
+  std::optional<int> exit;
+  for (const auto deadline = Clock::now() + 40s; !exit && Clock::now() < deadline;) {
+    exit = replayer.ended();
+    std::this_thread::sleep_for(20ms);
+  }
+  EXPECT_EQ(exit, 0);
+  EXPECT_THAT(replayer.said(), ::testing::HasSubstr("may refuse its messages: written by arcbid "
+                                                    "0.0.9 01dbeef"));
 }
 
 TEST_F(ReplayerTest, DisturbsNobodyWhoSpeaksThere) {
