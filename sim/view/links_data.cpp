@@ -52,9 +52,11 @@ class Arrivals {
   explicit Arrivals(const std::vector<LifeLog>& lives) {
     for (const LifeLog& life : lives) take_records(life);
     for (const LifeLog& life : lives) {
-      const std::set<MessageId>& met = met_[life.agent()];
+      // What was said while nobody was there to write it down may still be heard, and twice.
+      std::set<MessageId>& met = met_[life.agent()];
       for (const Mark& mark : life.marks())
-        if (mark.heard && !met.contains(*mark.heard)) sent(mark.t_ns, *mark.heard, life.agent());
+        if (mark.heard && met.insert(*mark.heard).second)
+          sent(mark.t_ns, *mark.heard, life.agent());
     }
   }
   const std::map<Cell, Counts>& cells() const { return cells_; }
@@ -83,7 +85,7 @@ class Arrivals {
   }
 
   std::map<Cell, Counts> cells_;
-  std::map<AgentId, std::set<MessageId>> met_;  // by receiver: those with a record of their own
+  std::map<AgentId, std::set<MessageId>> met_;  // by receiver: those that are counted
 };
 
 }  // namespace
