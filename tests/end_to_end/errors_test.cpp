@@ -30,20 +30,6 @@ TEST(Errors, OfTheNetworkAreToldOnce) {
   EXPECT_EQ(run.output().find("203.0.113.7", at + 1), std::string::npos) << run.output();
 }
 
-TEST(Errors, LeaveNoDirectoryOfARunThatNeverWas) {
-  const Scratch scratch;
-  const auto out = scratch / "run";
-  Launched run({"run", demo_config(), "--agents", "116", "--out", out.string()});
-  EXPECT_EQ(run.wait_for_end(20), 2) << run.output();
-  EXPECT_NE(run.output().find("does not fit one DDS domain"), std::string::npos) << run.output();
-  EXPECT_FALSE(std::filesystem::exists(out));
-  std::filesystem::create_directories(out);
-  EXPECT_EQ(
-      Launched({"run", demo_config(), "--agents", "116", "--out", out.string()}).wait_for_end(20),
-      2);
-  EXPECT_TRUE(std::filesystem::exists(out)) << "it was there before";
-}
-
 TEST(Errors, OfTheCommandLineAreExitCodeTwo) {
   for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
            {}, {"fly"}, {"run"}, {"run", "no-such.yaml"}, {"run", demo_config(), "--agents", "0"}})
