@@ -375,11 +375,17 @@ Exit launch(const LaunchOptions& options) {
   if (std::filesystem::exists(options.out, none) && !std::filesystem::is_empty(options.out, none))
     throw InputError(
         fmt::format("{}: is not empty; name a new directory with --out", options.out.string()));
-  const RunLock running(options.out);
-  const Exit exit = Run(options)();
+  const bool is_new = !std::filesystem::exists(options.out, none);
   // Refused input makes no run: the same command works again once it is mended.
-  if (exit == Exit::bad_input) std::filesystem::remove_all(options.out, none);
-  return exit;
+  try {
+    const RunLock running(options.out);
+    const Exit exit = Run(options)();
+    if (exit == Exit::bad_input) std::filesystem::remove_all(options.out, none);
+    return exit;
+  } catch (const InputError&) {
+    if (is_new) std::filesystem::remove(options.out, none);  // if nothing is in it
+    throw;
+  }
 }
 
 }  // namespace arcbid

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 
 #include "tests/end_to_end/launched.hpp"
 
@@ -28,6 +29,24 @@ TEST(Errors, OfTheNetworkAreToldOnce) {
   const auto at = run.output().find("203.0.113.7");
   ASSERT_NE(at, std::string::npos) << run.output();
   EXPECT_EQ(run.output().find("203.0.113.7", at + 1), std::string::npos) << run.output();
+}
+
+/// Without files to open, the launcher is refused its first socket.
+int run_without_files(const std::filesystem::path& out) {
+  const std::string command =
+      "sh -c 'exec 3>&- 4>&- 5>&- 6>&- >/dev/null 2>&1; ulimit -n 4; exec timeout 20 " +
+      std::string(ARCBID_BIN_DIR) + "/arcbid run " + demo_config() + " --out " + out.string() + "'";
+  return WEXITSTATUS(std::system(command.c_str()));
+}
+
+TEST(Errors, LeaveNoDirectoryOfARunThatNeverWas) {
+  const Scratch scratch;
+  const auto out = scratch / "run";
+  EXPECT_EQ(run_without_files(out), 2);
+  EXPECT_FALSE(std::filesystem::exists(out));
+  std::filesystem::create_directories(out);
+  EXPECT_EQ(run_without_files(out), 2);
+  EXPECT_TRUE(std::filesystem::exists(out)) << "it was there before";
 }
 
 TEST(Errors, OfTheCommandLineAreExitCodeTwo) {
