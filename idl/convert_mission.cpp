@@ -74,7 +74,7 @@ AuctionSettings decode(const wire::AuctionSettings& settings, Verdict& verdict) 
 
 Arc decode(const wire::Arc& arc, std::size_t position, Verdict& verdict) {
   Arc out{ArcId{static_cast<std::uint32_t>(position)},
-          enumerator<ArcKind>(arc.kind(), wire::ARC_UNDERSIDE_ROW, "arc.kind", verdict),
+          enumerator<ArcKind>(arc.kind(), wire::ARC_GAP, "arc.kind", verdict),
           decode(arc.waypoints(), verdict)};
   verdict.require(out.waypoints.size() >= 2, "arc.waypoints.size", out.waypoints.size());
   for (std::size_t i = 1; i < out.waypoints.size(); ++i)

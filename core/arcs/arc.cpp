@@ -16,6 +16,8 @@ std::string_view name(ArcKind kind) {
       return "top_row";
     case ArcKind::underside_row:
       return "underside_row";
+    case ArcKind::gap:
+      return "gap";
   }
   return "?";
 }

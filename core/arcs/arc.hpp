@@ -19,8 +19,9 @@ struct Waypoint {
   Vec3 look;
 };
 
-/// What an arc was made from: a slice's outline, or a row of supplementary viewpoints.
-enum class ArcKind : std::uint8_t { outline, top_row, underside_row };
+/// What an arc was made from: a slice's outline, a row of supplementary viewpoints, or viewpoints
+/// for what these leave unseen.
+enum class ArcKind : std::uint8_t { outline, top_row, underside_row, gap };
 std::string_view name(ArcKind kind);
 
 /// L_arc,m of the paper (section 2.3): an open polyline that must be flown exactly once, in either

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/arcs/arc.hpp"
+#include "core/structure/sensor.hpp"
 #include "core/structure/structure.hpp"
 
 namespace arcbid {
@@ -20,8 +21,9 @@ struct CoverageSettings {
   double safety_m = 2.0;            ///< least distance of any arc point from any surface point.
   double ground_clearance_m = 3.0;  ///< no arc lower than this above the ground.
   RowSide rows = RowSide::short_side;
-  std::uint64_t seed = 1;          ///< of the surface samples that check the arcs' reach.
+  std::uint64_t seed = 1;          ///< of the surface samples that plan and check coverage.
   std::optional<double> ground_m;  ///< z of the ground; none: the structure's lowest point.
+  Sensor sensor;
 };
 
 /// One interface from structure to arcs: every kind of structure yields this.

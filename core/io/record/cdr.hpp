@@ -23,7 +23,7 @@ template <class T>
 constexpr std::uint8_t most_of() {
   if constexpr (std::same_as<T, bool>) return 1;
   if constexpr (std::same_as<T, Phase>) return static_cast<std::uint8_t>(Phase::routed);
-  if constexpr (std::same_as<T, ArcKind>) return static_cast<std::uint8_t>(ArcKind::underside_row);
+  if constexpr (std::same_as<T, ArcKind>) return static_cast<std::uint8_t>(ArcKind::gap);
   if constexpr (std::same_as<T, PolicyKind>) return policy_names.size() - 1;
   if constexpr (std::same_as<T, ScoreKind>) return score_names.size() - 1;
 }
