@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/coverage/surface.hpp"
+
+#include <pcl/kdtree/kdtree_flann.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "core/coverage/parallel.hpp"
+#include "core/structure/voxels.hpp"
+
+namespace arcbid {
+
+namespace {
+
+constexpr float kMeshLift_m = 0.01F;  // far less than any member is thick
+constexpr double kSurfel_m = 0.15;    // between surfels where the cloud is dense
+constexpr std::size_t kMostSurfels = 600'000;
+constexpr int kNeighbours = 16;          // that give a normal
+constexpr std::size_t kSpacingRank = 6;  // in a square lattice: the diagonal neighbour
+
+/// The direction in which the points spread least; of a line, any across it.
+Vec3f normal_of(const std::vector<Vec3f>& points) {
+  Vec3f mean = Vec3f::Zero();
+  for (const Vec3f& p : points) mean += p;
+  mean /= static_cast<float>(points.size());
+  Eigen::Matrix3f spread = Eigen::Matrix3f::Zero();
+  for (const Vec3f& p : points) spread += (p - mean) * (p - mean).transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver(spread);
+  const Vec3f n = solver.eigenvectors().col(0);
+  return n.allFinite() && n.norm() > 0.5F ? Vec3f(n.normalized()) : Vec3f::UnitZ();
+}
+
+std::vector<Vec3> thinned(const std::vector<Vec3>& points, double voxel_m, std::size_t most) {
+  std::vector<Vec3> kept = one_per_voxel(points, voxel_m);
+  while (kept.size() > most) kept = one_per_voxel(points, voxel_m *= 1.5);
+  return kept;
+}
+
+/// Points with PCA normals, and discs just wide enough to close the gaps to their neighbours.
+std::vector<Surfel> surfels_of(const std::vector<Vec3>& points, unsigned threads) {
+  const auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+  for (const Vec3& p : points) {
+    const Vec3f f = p.cast<float>();
+    cloud->push_back({f.x(), f.y(), f.z()});
+  }
+  pcl::KdTreeFLANN<pcl::PointXYZ> tree;
+  tree.setInputCloud(cloud);
+  const int k = std::min<int>(kNeighbours, static_cast<int>(points.size()));
+  std::vector<Surfel> surfels(points.size());
+  for_chunks(points.size(), 1024, threads, [&](std::size_t from, std::size_t to) {
+    pcl::Indices found;
+    std::vector<float> squared_m2;
+    std::vector<Vec3f> around;
+    for (std::size_t i = from; i < to; ++i) {
+      tree.nearestKSearch((*cloud)[i], k, found, squared_m2);
+      around.clear();
+      for (const auto n : found)
+        around.push_back((*cloud)[static_cast<std::size_t>(n)].getVector3fMap());
+      const float rank_m = std::sqrt(squared_m2[std::min(kSpacingRank, squared_m2.size() - 1)]);
+      surfels[i] = {around.front(), normal_of(around), 0.6F * rank_m};
+    }
+  });
+  return surfels;
+}
+
+/// Where a cloud is much thinner than elsewhere its discs would hide what is behind: they grow no
+/// larger than twice the median.
+float limit_radii(std::vector<Surfel>& surfels) {
+  std::vector<float> radii;
+  for (const Surfel& s : surfels) radii.push_back(s.radius_m);
+  const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
+  std::nth_element(radii.begin(), middle, radii.end());
+  for (Surfel& s : surfels) s.radius_m = std::clamp(s.radius_m, *middle / 2, 2 * *middle);
+  return *middle;
+}
+
+}  // namespace
+
+Surface surface_of(const Structure& structure, const std::vector<Vec3>& ground, unsigned threads) {
+  Surface s;
+  Vec3 low = structure.points.front(), high = low;
+  for (const Vec3& p : structure.points) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  s.origin_m = 0.5 * (low + high);
+  s.triangles = structure.triangles;
+  s.points.reserve(structure.points.size() + ground.size());
+  for (const Vec3& p : structure.points) s.points.push_back(p - s.origin_m);
+  s.lift_m = kMeshLift_m;
+  if (s.is_mesh()) return s;
+
+  std::vector<Vec3> thin = thinned(s.points, kSurfel_m, kMostSurfels), local_ground;
+  s.inspected = thin.size();
+  for (const Vec3& p : ground) local_ground.push_back(p - s.origin_m);
+  s.points.insert(s.points.end(), local_ground.begin(), local_ground.end());
+  local_ground = thinned(local_ground, 2 * kSurfel_m, kMostSurfels);
+  thin.insert(thin.end(), local_ground.begin(), local_ground.end());
+  s.surfels = surfels_of(thin, threads);
+  const float radius_m = limit_radii(s.surfels);
+  s.lift_m = s.skip_m = 0.5F * radius_m;
+  return s;
+}
+
+}  // namespace arcbid

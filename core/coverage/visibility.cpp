@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/coverage/visibility.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/coverage/parallel.hpp"
+
+namespace arcbid {
+
+namespace {
+
+constexpr std::size_t kDirections = 256;
+constexpr std::size_t kEscapes = 64;  // of them tried over the safety distance
+constexpr int kLattice = 4;           // cells between lattice positions
+constexpr std::size_t kRemembered = 8;
+
+}  // namespace
+
+Visibility::Visibility(const Seer& seer, const Flyable& flyable, double safety_m)
+    : seer_(seer), flyable_(flyable), safety_m_(safety_m) {
+  const double least = seer.optics(Wanted::nominal).cos_incidence();
+  double u = 0.5, v = 0.5;  // Roberts's R2 sequence
+  for (std::size_t k = 0; k < kDirections; ++k) {
+    const double z = 1 - (1 - least) * u, r = std::sqrt(1 - z * z), a = 2 * std::numbers::pi * v;
+    cone_.push_back(Vec3(r * std::cos(a), r * std::sin(a), z).cast<float>());
+    u = std::fmod(u + 0.7548776662466927, 1.0);
+    v = std::fmod(v + 0.5698402909980532, 1.0);
+  }
+}
+
+Vec3f Visibility::direction(std::uint32_t sample, std::size_t k) const {
+  const Vec3f& n = seer_.samples().normals[sample];
+  const Vec3f side = std::abs(n.z()) < 0.9F ? Vec3f::UnitZ() : Vec3f::UnitX();
+  const Vec3f x = n.cross(side).normalized(), y = n.cross(x);
+  return cone_[k].x() * x + cone_[k].y() * y + cone_[k].z() * n;
+}
+
+bool Visibility::is_open(std::uint32_t sample) const {
+  Vec3f from[8], to[8];
+  const Vec3f& p = seer_.samples().points[sample];
+  for (std::size_t k = 0; k < kEscapes; k += 8) {
+    for (std::size_t i = 0; i < 8; ++i) {
+      to[i] = p + static_cast<float>(safety_m_) * direction(sample, k + i);
+      from[i] = seer_.start(sample, to[i]);
+    }
+    if (seer_.scene().hidden(from, to, 8) != 0xFF) return true;
+  }
+  return false;
+}
+
+std::vector<bool> Visibility::open(unsigned threads) const {
+  std::vector<std::uint8_t> found(seer_.samples().size());
+  for_chunks(found.size(), 1024, threads, [&](std::size_t from, std::size_t to) {
+    for (std::size_t s = from; s < to; ++s) found[s] = is_open(static_cast<std::uint32_t>(s));
+  });
+  return {found.begin(), found.end()};
+}
+
+/// Asks in packets; a place that the narrowed sensor can use ends the search.
+void Visibility::try_places(std::uint32_t sample, const std::vector<Vec3>& places,
+                            Witness& best) const {
+  const Vec3f &p = seer_.samples().points[sample], &n = seer_.samples().normals[sample];
+  Vec3f from[8], to[8];
+  for (std::size_t k = 0; k < places.size() && best.how != Wanted::narrow; k += 8) {
+    const std::size_t count = std::min<std::size_t>(8, places.size() - k);
+    for (std::size_t i = 0; i < count; ++i) {
+      to[i] = places[k + i].cast<float>();
+      from[i] = seer_.start(sample, to[i]);
+    }
+    const unsigned hidden = seer_.scene().hidden(from, to, static_cast<int>(count));
+    for (std::size_t i = 0; i < count && best.how != Wanted::narrow; ++i) {
+      if (hidden >> i & 1) continue;
+      for (const Wanted how : {Wanted::narrow, Wanted::nominal}) {
+        const Optics& o = seer_.optics(how);
+        const Vec3 way = p.cast<double>() - places[k + i];
+        if (how == best.how || !o.in_reach(to[i], p, n) ||
+            !o.in_view(pose_of(places[k + i], o.aim(way)), p))
+          continue;
+        best = {places[k + i], how};
+        break;
+      }
+    }
+  }
+}
+
+void Visibility::from_lattice(std::uint32_t sample, Witness& best) const {
+  const Vec3f &p = seer_.samples().points[sample], &n = seer_.samples().normals[sample];
+  const Optics& o = seer_.optics(Wanted::narrow);
+  const auto up = [](int i) { return (i + kLattice - 1) / kLattice * kLattice; };
+  const Vec3 reach = Vec3::Constant(o.range_m());
+  Flyable::Cell low = flyable_.cell_of(p.cast<double>() - reach);
+  for (int& i : low) i = up(std::max(i, 0));
+  const Flyable::Cell high = flyable_.cell_of(p.cast<double>() + reach);
+  std::vector<Vec3> places;
+  Flyable::Cell c;
+  for (c[2] = low[2]; c[2] <= high[2]; c[2] += kLattice)
+    for (c[1] = low[1]; c[1] <= high[1]; c[1] += kLattice)
+      for (c[0] = low[0]; c[0] <= high[0]; c[0] += kLattice)
+        if (flyable_.reached(c) && o.in_reach(flyable_.centre(c).cast<float>(), p, n))
+          places.push_back(flyable_.centre(c));
+  try_places(sample, places, best);
+}
+
+/// The grid says where to look, an exact distance whether it is so.
+std::optional<Vec3> Visibility::first_flyable(const Vec3& from, const Vec3& direction) const {
+  const double step_m = flyable_.cell_m() / 2;
+  const double range_m = seer_.optics(Wanted::narrow).range_m();
+  int tries = 0;
+  for (double t = safety_m_; t < range_m && tries < 4; t += step_m) {
+    const Vec3 p = from + t * direction;
+    if (!flyable_.reached(flyable_.cell_of(p))) continue;
+    ++tries;
+    if (flyable_.reaches(p)) return p;
+  }
+  return std::nullopt;
+}
+
+void Visibility::along_directions(std::uint32_t sample, Witness& best) const {
+  const Vec3 p = seer_.samples().points[sample].cast<double>();
+  std::vector<Vec3> places;
+  for (std::size_t k = 0; k < kDirections && best.how != Wanted::narrow; ++k) {
+    if (const auto place = first_flyable(p, direction(sample, k).cast<double>()))
+      places.push_back(*place);
+    if (places.size() == 8 || k + 1 == kDirections) {
+      try_places(sample, places, best);
+      places.clear();
+    }
+  }
+}
+
+std::vector<Visibility::Witness> Visibility::witnesses(const Seen& samples,
+                                                       unsigned threads) const {
+  std::vector<Witness> found(samples.size());
+  for_chunks(samples.size(), 256, threads, [&](std::size_t from, std::size_t to) {
+    std::vector<Vec3> remembered;  // what served a sample often serves its neighbours
+    for (std::size_t k = from; k < to; ++k) {
+      try_places(samples[k], remembered, found[k]);
+      if (found[k].how != Wanted::narrow) from_lattice(samples[k], found[k]);
+      if (found[k].how != Wanted::narrow) along_directions(samples[k], found[k]);
+      if (found[k].how == Wanted::no) continue;
+      if (remembered.size() == kRemembered) remembered.erase(remembered.begin());
+      remembered.push_back(found[k].position_m);
+    }
+  });
+  return found;
+}
+
+}  // namespace arcbid

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/coverage/flyable.hpp"
+#include "core/coverage/seer.hpp"
+
+namespace arcbid {
+
+/// Finds out which samples can be seen from anywhere that a drone may be.
+class Visibility {
+ public:
+  /// Keeps references.
+  Visibility(const Seer& seer, const Flyable& flyable, double safety_m);
+
+  /// For each sample whether some line of sight is free for as long as the safety distance: only
+  /// the others need no further thought.
+  std::vector<bool> open(unsigned threads) const;
+
+  /// A place from which a sample is seen, and by which sensor.
+  struct Witness {
+    Vec3 position_m = Vec3::Zero();
+    Wanted how = Wanted::no;
+  };
+  /// For each of these samples one that the narrowed sensor has, else one that the nominal one has,
+  /// else none was found.
+  std::vector<Witness> witnesses(const Seen& samples, unsigned threads) const;
+
+ private:
+  Vec3f direction(std::uint32_t sample, std::size_t k) const;
+  bool is_open(std::uint32_t sample) const;
+  void try_places(std::uint32_t sample, const std::vector<Vec3>& places, Witness& best) const;
+  void from_lattice(std::uint32_t sample, Witness& best) const;
+  void along_directions(std::uint32_t sample, Witness& best) const;
+  std::optional<Vec3> first_flyable(const Vec3& from, const Vec3& direction) const;
+
+  const Seer& seer_;
+  const Flyable& flyable_;
+  double safety_m_;
+  std::vector<Vec3f> cone_;  // unit directions around +z; any first part of them is spread out
+};
+
+}  // namespace arcbid
