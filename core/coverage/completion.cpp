@@ -144,6 +144,7 @@ std::vector<Arc> Completion::first_round(std::vector<Arc> arcs, PlannedCoverage&
     std::move(more.begin(), more.end(), std::back_inserter(looked));
   }
   planned.covered = round.count_covered();
+  for (const SeenArc& arc : looked) planned.filled_m += arc.at_m.back();
   std::vector<Arc> all;
   if (!settings_.trim)
     for (SeenArc& arc : looked) all.push_back(std::move(arc.arc));
@@ -181,7 +182,6 @@ void Completion::run(ArcPlan& plan) {
   drop_unreachable(arcs);
   arcs = first_round(std::move(arcs), plan.planned);
   if (settings_.fill) further_rounds(arcs);
-  plan.planned.filled_m = sum_m(arcs);
   if (settings_.trim)
     arcs = joined_ends(std::move(arcs), flyable_, {settings_.spacing_m, 30 * settings_.spacing_m});
   plan.planned.planned_m = sum_m(arcs);

@@ -15,6 +15,7 @@ constexpr std::size_t kDirections = 256;
 constexpr std::size_t kEscapes = 64;  // of them tried over the safety distance
 constexpr int kLattice = 4;           // cells between lattice positions
 constexpr std::size_t kRemembered = 8;
+constexpr int kTries = 4;  // places along one direction
 
 }  // namespace
 
@@ -56,6 +57,16 @@ std::vector<bool> Visibility::open(unsigned threads) const {
     for (std::size_t s = from; s < to; ++s) found[s] = is_open(static_cast<std::uint32_t>(s));
   });
   return {found.begin(), found.end()};
+}
+
+/// A bit for each of at most eight places.
+unsigned Visibility::hidden_from(std::uint32_t sample, const std::vector<Vec3>& places) const {
+  Vec3f from[8], to[8];
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    to[i] = places[i].cast<float>();
+    from[i] = seer_.start(sample, to[i]);
+  }
+  return seer_.scene().hidden(from, to, static_cast<int>(places.size()));
 }
 
 /// Asks in packets; a place that the narrowed sensor can use ends the search.
@@ -103,29 +114,41 @@ void Visibility::from_lattice(std::uint32_t sample, Witness& best) const {
   try_places(sample, places, best);
 }
 
-/// The grid says where to look, an exact distance whether it is so.
-std::optional<Vec3> Visibility::first_flyable(const Vec3& from, const Vec3& direction) const {
-  const double step_m = flyable_.cell_m() / 2;
+/// The grid says where to look; a line of sight there is asked before an exact distance, for it
+/// costs less and more often says no.
+std::optional<double> Visibility::next_reached(const Vec3& from, const Vec3& direction,
+                                               double from_m) const {
   const double range_m = seer_.optics(Wanted::narrow).range_m();
-  int tries = 0;
-  for (double t = safety_m_; t < range_m && tries < 4; t += step_m) {
-    const Vec3 p = from + t * direction;
-    if (!flyable_.reached(flyable_.cell_of(p))) continue;
-    ++tries;
-    if (flyable_.reaches(p)) return p;
-  }
+  for (double t = from_m; t < range_m; t += flyable_.cell_m() / 2)
+    if (flyable_.reached(flyable_.cell_of(from + t * direction))) return t;
   return std::nullopt;
 }
 
 void Visibility::along_directions(std::uint32_t sample, Witness& best) const {
   const Vec3 p = seer_.samples().points[sample].cast<double>();
-  std::vector<Vec3> places;
-  for (std::size_t k = 0; k < kDirections && best.how != Wanted::narrow; ++k) {
-    if (const auto place = first_flyable(p, direction(sample, k).cast<double>()))
-      places.push_back(*place);
-    if (places.size() == 8 || k + 1 == kDirections) {
-      try_places(sample, places, best);
-      places.clear();
+  for (std::size_t k = 0; k < kDirections && best.how != Wanted::narrow; k += 8) {
+    std::vector<Ray> rays;
+    for (std::size_t i = k; i < k + 8; ++i) {
+      const Vec3 way = direction(sample, i).cast<double>();
+      if (const auto t = next_reached(p, way, safety_m_)) rays.push_back({way, *t});
+    }
+    // Where the grid's cell is flyable but the place itself is not, the next one is asked.
+    for (int tries = 0; tries < kTries && !rays.empty() && best.how != Wanted::narrow; ++tries) {
+      std::vector<Vec3> places;
+      for (const Ray& ray : rays) places.push_back(p + ray.at_m * ray.direction);
+      std::vector<Ray> left;
+      const unsigned hidden = hidden_from(sample, places);
+      for (std::size_t i = 0; i < rays.size(); ++i) {
+        if (hidden >> i & 1) continue;
+        if (flyable_.reaches(places[i])) {
+          try_places(sample, {places[i]}, best);
+        } else if (const auto t =
+                       next_reached(p, rays[i].direction, rays[i].at_m + flyable_.cell_m() / 2)) {
+          left.push_back({rays[i].direction, *t});
+        }
+        if (best.how == Wanted::narrow) break;
+      }
+      rays = std::move(left);
     }
   }
 }

@@ -29,12 +29,17 @@ class Visibility {
   std::vector<Witness> witnesses(const Seen& samples, unsigned threads) const;
 
  private:
+  struct Ray {
+    Vec3 direction;
+    double at_m;
+  };
   Vec3f direction(std::uint32_t sample, std::size_t k) const;
   bool is_open(std::uint32_t sample) const;
   void try_places(std::uint32_t sample, const std::vector<Vec3>& places, Witness& best) const;
   void from_lattice(std::uint32_t sample, Witness& best) const;
   void along_directions(std::uint32_t sample, Witness& best) const;
-  std::optional<Vec3> first_flyable(const Vec3& from, const Vec3& direction) const;
+  unsigned hidden_from(std::uint32_t sample, const std::vector<Vec3>& places) const;
+  std::optional<double> next_reached(const Vec3& from, const Vec3& direction, double from_m) const;
 
   const Seer& seer_;
   const Flyable& flyable_;

@@ -27,6 +27,13 @@ double since_s(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+/// Of all threads: what the machine's other work does not change.
+double cpu_s() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_utime.tv_sec) + 1e-6 * usage.ru_utime.tv_usec;
+}
+
 double peak_mib() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -41,15 +48,17 @@ void measure(const std::string& name, const Structure& structure, CoverageSettin
     coverage_arcs(structure, plain);
     const double plain_s = since_s(start);
     start = Clock::now();
+    const double cpu_before = cpu_s();
     const ArcPlan plan = coverage_arcs(structure, settings);
-    const double s = since_s(start);
+    const double s = since_s(start), cpu = cpu_s() - cpu_before;
     const PlannedCoverage& p = plan.planned;
     start = Clock::now();
     const HeldOut held = held_out(structure, plan.arcs, settings);
     fmt::print(
-        "{:28} {:8} {:7.2f} {:7.2f} {:6.0f} {:5} {:7.0f} {:7.0f} {:7.0f} {:8} {:5.1f} {:7.2f} "
+        "{:28} {:8} {:7.2f} {:7.2f} {:7.2f} {:6.0f} {:5} {:7.0f} {:7.0f} {:7.0f} {:8} {:5.1f} "
+        "{:7.2f} "
         "{:8.3f} {:6.1f} {:7.3f}\n",
-        name, structure.points.size(), plain_s, s, peak_mib(), plan.arcs.size(), p.base_m,
+        name, structure.points.size(), plain_s, s, cpu, peak_mib(), plan.arcs.size(), p.base_m,
         p.filled_m, p.planned_m, p.samples, 100.0 * p.visible / std::max<double>(1, p.samples),
         100.0 * p.covered_by_base / std::max<double>(1, p.visible), 100 * held.share(),
         since_s(start), held.least_clearance_m);
@@ -99,9 +108,10 @@ int main(int argc, char** argv) {
   CoverageSettings settings;
   bool most = false, files = false;
   fmt::print(
-      "{:28} {:>8} {:>7} {:>7} {:>6} {:>5} {:>7} {:>7} {:>7} {:>8} {:>5} {:>7} {:>8} {:>6} {:>7}\n",
-      "structure", "points", "base s", "plan s", "MiB", "arcs", "base m", "fill m", "plan m",
-      "samples", "vis %", "base %", "held %", "chk s", "clear m");
+      "{:28} {:>8} {:>7} {:>7} {:>7} {:>6} {:>5} {:>7} {:>7} {:>7} {:>8} {:>5} {:>7} {:>8} {:>6} "
+      "{:>7}\n",
+      "structure", "points", "base s", "plan s", "CPU s", "MiB", "arcs", "base m", "fill m",
+      "plan m", "samples", "vis %", "base %", "held %", "chk s", "clear m");
   for (int a = 1; a < argc; ++a) {
     const std::string word = argv[a];
     if (word == "--camera") {

@@ -149,7 +149,15 @@ Keys<CoverageSettings> coverage_keys() {
           choice<RowSide>({{"short_side", RowSide::short_side}, {"long_side", RowSide::long_side}}),
           "Which side of a horizontal surface its rows run along; the short one gives even arcs."),
       key("seed", &C::seed, number<std::uint64_t>(0, 4294967295),
-          "Seed of the surface samples that check the paths' reach."),
+          "Seed of the surface samples that the paths are planned and checked with."),
+      key("fill", &C::fill, boolean(),
+          "Also plan paths for what slices and rows leave unseen (COVERAGE.md)."),
+      key("trim", &C::trim, boolean(),
+          "Leave out stretches of paths that no surface sample needs, and join what is left."),
+      key("ground_points", &C::ground_points,
+          choice<GroundPoints>({{"auto", GroundPoints::automatic}, {"keep", GroundPoints::keep}}),
+          "Points of a cloud on the ground: `auto` tells them from the structure, and does not "
+          "inspect them; `keep` does."),
   };
 }
 

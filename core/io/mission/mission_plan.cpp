@@ -9,6 +9,7 @@
 
 #include "core/auction/task_set.hpp"
 #include "core/base/error.hpp"
+#include "core/coverage/coverage_arcs.hpp"
 #include "core/io/structure_reader.hpp"
 
 namespace arcbid {
@@ -26,7 +27,7 @@ void append(std::vector<std::string>& all, std::vector<std::string> more) {
 /// What the reader noticed often explains what the planner cannot do: wrong units above all.
 ArcPlan arcs_of(const StructureInput& input, const Config& config) {
   try {
-    return bridge_arcs(input.structure, config.coverage);
+    return coverage_arcs(input.structure, config.coverage);
   } catch (const InputError& error) {
     std::string lines;
     for (const std::string& warning : input.warnings) lines += warning + "\n";
