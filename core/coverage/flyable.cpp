@@ -44,20 +44,6 @@ Flyable::Flyable(const Scene& scene, const Surface& surface, const Limits& limit
   flood();
 }
 
-std::size_t Flyable::index(const Cell& c) const {
-  return (static_cast<std::size_t>(c[2]) * cells_[1] + c[1]) * cells_[0] + c[0];
-}
-
-bool Flyable::inside(const Cell& c) const {
-  return c[0] >= 0 && c[1] >= 0 && c[2] >= 0 && c[0] < cells_[0] && c[1] < cells_[1] &&
-         c[2] < cells_[2];
-}
-
-Flyable::Cell Flyable::cell_of(const Vec3& p) const {
-  const Vec3 i = ((p - low_m_) / cell_m_).array().floor();
-  return {static_cast<int>(i.x()), static_cast<int>(i.y()), static_cast<int>(i.z())};
-}
-
 Vec3 Flyable::centre(const Cell& c) const {
   return low_m_ + cell_m_ * Vec3(c[0] + 0.5, c[1] + 0.5, c[2] + 0.5);
 }

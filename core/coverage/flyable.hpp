@@ -32,16 +32,29 @@ class Flyable {
   /// Grid positions that can be reached, `step` cells apart along each axis, near the surface.
   double cell_m() const { return cell_m_; }
   using Cell = std::array<int, 3>;
-  Cell cell_of(const Vec3& p) const;
+  Cell cell_of(const Vec3& p) const {
+    // Rounded down without a call; what is below the grid stays below it.
+    const Vec3 at = (p - low_m_) / cell_m_ + Vec3::Ones();
+    return {static_cast<int>(at.x()) - 1, static_cast<int>(at.y()) - 1,
+            static_cast<int>(at.z()) - 1};
+  }
   Vec3 centre(const Cell& c) const;
   bool reached(const Cell& c) const { return inside(c) && state_[index(c)] == kReached; }
-  bool inside(const Cell& c) const;
+  bool inside(const Cell& c) const {
+    return c[0] >= 0 && c[1] >= 0 && c[2] >= 0 && c[0] < cells_[0] && c[1] < cells_[1] &&
+           c[2] < cells_[2];
+  }
   double floor_m() const { return floor_m_; }
 
  private:
   enum State : std::uint8_t { kUnknown, kBlocked, kTight, kOpen, kReached };
 
-  std::size_t index(const Cell& c) const;
+  std::size_t index(const Cell& c) const {
+    return (static_cast<std::size_t>(c[2]) * static_cast<std::size_t>(cells_[1]) +
+            static_cast<std::size_t>(c[1])) *
+               static_cast<std::size_t>(cells_[0]) +
+           static_cast<std::size_t>(c[0]);
+  }
   void classify(const Cell& low, int size);
   void classify_all(unsigned threads);
   void flood();

@@ -114,22 +114,27 @@ void Visibility::from_lattice(std::uint32_t sample, Witness& best) const {
   try_places(sample, places, best);
 }
 
-/// The grid says where to look; a line of sight there is asked before an exact distance, for it
-/// costs less and more often says no.
+/// The first place along a direction that lies in a flyable cell.
 std::optional<double> Visibility::next_reached(const Vec3& from, const Vec3& direction,
                                                double from_m) const {
   const double range_m = seer_.optics(Wanted::narrow).range_m();
-  for (double t = from_m; t < range_m; t += flyable_.cell_m() / 2)
+  for (double t = from_m; t < range_m; t += flyable_.cell_m())
     if (flyable_.reached(flyable_.cell_of(from + t * direction))) return t;
   return std::nullopt;
 }
 
+/// A line of sight is asked before an exact distance: it costs less and more often says no.
 void Visibility::along_directions(std::uint32_t sample, Witness& best) const {
   const Vec3 p = seer_.samples().points[sample].cast<double>();
   for (std::size_t k = 0; k < kDirections && best.how != Wanted::narrow; k += 8) {
     std::vector<Ray> rays;
-    for (std::size_t i = k; i < k + 8; ++i) {
-      const Vec3 way = direction(sample, i).cast<double>();
+    std::vector<Vec3> escapes;
+    for (std::size_t i = k; i < k + 8; ++i)
+      escapes.push_back(p + safety_m_ * direction(sample, i).cast<double>());
+    const unsigned shut = hidden_from(sample, escapes);
+    for (std::size_t i = 0; i < 8; ++i) {
+      if (shut >> i & 1) continue;
+      const Vec3 way = direction(sample, k + i).cast<double>();
       if (const auto t = next_reached(p, way, safety_m_)) rays.push_back({way, *t});
     }
     // Where the grid's cell is flyable but the place itself is not, the next one is asked.
