@@ -15,6 +15,7 @@ constexpr std::size_t kDirections = 256;
 constexpr std::size_t kEscapes = 64;  // of them tried over the safety distance
 constexpr int kLattice = 4;           // cells between lattice positions
 constexpr std::size_t kRemembered = 8;
+constexpr float kNear_m = 0.5F;
 constexpr int kTries = 4;  // places along one direction
 
 }  // namespace
@@ -124,9 +125,9 @@ std::optional<double> Visibility::next_reached(const Vec3& from, const Vec3& dir
 }
 
 /// A line of sight is asked before an exact distance: it costs less and more often says no.
-void Visibility::along_directions(std::uint32_t sample, Witness& best) const {
+void Visibility::along_directions(std::uint32_t sample, std::size_t count, Witness& best) const {
   const Vec3 p = seer_.samples().points[sample].cast<double>();
-  for (std::size_t k = 0; k < kDirections && best.how != Wanted::narrow; k += 8) {
+  for (std::size_t k = 0; k < count && best.how != Wanted::narrow; k += 8) {
     std::vector<Ray> rays;
     std::vector<Vec3> escapes;
     for (std::size_t i = k; i < k + 8; ++i)
@@ -158,16 +159,31 @@ void Visibility::along_directions(std::uint32_t sample, Witness& best) const {
   }
 }
 
+/// All directions, or a quarter of them where a near sample that faces the same way had no luck.
+std::size_t Visibility::directions_for(std::uint32_t sample, const Seen& hopeless) const {
+  const Samples& all = seer_.samples();
+  const bool doubtful = std::any_of(hopeless.begin(), hopeless.end(), [&](std::uint32_t other) {
+    return (all.points[other] - all.points[sample]).squaredNorm() < kNear_m * kNear_m &&
+           all.normals[other].dot(all.normals[sample]) > 0.9F;
+  });
+  return doubtful ? kDirections / 4 : kDirections;
+}
+
 std::vector<Visibility::Witness> Visibility::witnesses(const Seen& samples,
                                                        unsigned threads) const {
   std::vector<Witness> found(samples.size());
   for_chunks(samples.size(), 256, threads, [&](std::size_t from, std::size_t to) {
     std::vector<Vec3> remembered;  // what served a sample often serves its neighbours
+    Seen hopeless;
     for (std::size_t k = from; k < to; ++k) {
       try_places(samples[k], remembered, found[k]);
       if (found[k].how != Wanted::narrow) from_lattice(samples[k], found[k]);
-      if (found[k].how != Wanted::narrow) along_directions(samples[k], found[k]);
-      if (found[k].how == Wanted::no) continue;
+      if (found[k].how != Wanted::narrow)
+        along_directions(samples[k], directions_for(samples[k], hopeless), found[k]);
+      if (found[k].how == Wanted::no) {
+        hopeless.push_back(samples[k]);
+        continue;
+      }
       if (remembered.size() == kRemembered) remembered.erase(remembered.begin());
       remembered.push_back(found[k].position_m);
     }

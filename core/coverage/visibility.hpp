@@ -37,7 +37,8 @@ class Visibility {
   bool is_open(std::uint32_t sample) const;
   void try_places(std::uint32_t sample, const std::vector<Vec3>& places, Witness& best) const;
   void from_lattice(std::uint32_t sample, Witness& best) const;
-  void along_directions(std::uint32_t sample, Witness& best) const;
+  void along_directions(std::uint32_t sample, std::size_t count, Witness& best) const;
+  std::size_t directions_for(std::uint32_t sample, const Seen& hopeless) const;
   unsigned hidden_from(std::uint32_t sample, const std::vector<Vec3>& places) const;
   std::optional<double> next_reached(const Vec3& from, const Vec3& direction, double from_m) const;
 
