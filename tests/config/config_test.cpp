@@ -37,6 +37,33 @@ TEST(Config, DefaultsAreLegalAndWhatAnEmptyMappingMeans) {
   EXPECT_EQ(to_yaml(parse_config("coverage:\n  # spacing_m: 3\n", "c.yaml")), to_yaml(Config{}));
 }
 
+TEST(Config, ASensorsKindChoosesWhatIsNotGiven) {
+  // Wherever the kind stands: what is given is kept.
+  for (const char* text :
+       {"coverage: {sensor: {kind: camera, range_m: 6, horizontal_fov_deg: 90}}",
+        "coverage: {sensor: {range_m: 6, horizontal_fov_deg: 90, kind: camera}}"}) {
+    const Sensor sensor = parse_config(text, "c.yaml").coverage.sensor;
+    EXPECT_EQ(sensor.kind, SensorKind::camera);
+    EXPECT_EQ(sensor.range_m, 6);
+    EXPECT_EQ(sensor.horizontal_fov_deg, 90);
+    EXPECT_EQ(sensor.vertical_fov_deg, camera_preset().vertical_fov_deg);
+    EXPECT_EQ(sensor.least_range_m, camera_preset().least_range_m);
+  }
+  const Sensor lidar =
+      parse_config(
+          "coverage: {sensor: {least_range_m: 1, max_incidence_deg: 60, vertical_fov_deg: 40, "
+          "lowest_look_deg: -20, highest_look_deg: 10}}",
+          "c.yaml")
+          .coverage.sensor;
+  EXPECT_EQ(lidar.kind, SensorKind::lidar);
+  EXPECT_EQ(lidar.least_range_m, 1);
+  EXPECT_EQ(lidar.max_incidence_deg, 60);
+  EXPECT_EQ(lidar.vertical_fov_deg, 40);
+  EXPECT_EQ(lidar.lowest_look_deg, -20);
+  EXPECT_EQ(lidar.highest_look_deg, 10);
+  EXPECT_EQ(lidar.horizontal_fov_deg, 360);
+}
+
 TEST(Config, EveryKeyReachesItsField) {
   const Config c = parse_config(R"(
 name: Old bridge

@@ -126,6 +126,17 @@ const std::vector<Case> together = {
     {"StandoffBelowDefaultSafety", "coverage:\n  standoff_m: 1",
      "demo.yaml:2:15: coverage.safety_m: 2 is too near coverage.standoff_m, 1; at most 0.9091 is "
      "legal"},
+    {"RangeBelowStandoff", "coverage:\n  sensor: {range_m: 3}",
+     "demo.yaml:2:21: coverage.sensor.range_m: 3 does not exceed coverage.standoff_m, 4: it would "
+     "see nothing"},
+    {"LeastRangeBeyondStandoff", "coverage:\n  sensor: {least_range_m: 4}",
+     "demo.yaml:2:27: coverage.sensor.least_range_m: 4 is not below coverage.standoff_m, 4: it "
+     "would see nothing"},
+    {"GimbalUpsideDown", "coverage:\n  sensor: {lowest_look_deg: 30, highest_look_deg: 20}",
+     "demo.yaml:2:29: coverage.sensor.lowest_look_deg: 30 is above highest_look_deg, 20"},
+    {"CameraAllRound", "coverage:\n  sensor: {kind: camera, horizontal_fov_deg: 180}",
+     "demo.yaml:2:46: coverage.sensor.horizontal_fov_deg: 180 by 55 is no camera's field of view; "
+     "legal: less than 180"},
     {"NotSaidAboutAValueThatIsWrongAnyway", "coverage: {standoff_m: x, safety_m: 5}",
      "demo.yaml:1:24: coverage.standoff_m: x is not a number in [0.2, 100]"},
     {"AgentsAgainstUavs", "fleet:\n  agents: 3\n  uavs: [{id: 1, home_m: [0, 0, 0]}]",

@@ -1,41 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/io/config/keys.hpp"
-
 #include <fmt/format.h>
+
+#include "core/io/config/make_key.hpp"
 
 namespace arcbid::yaml {
 namespace {
-
-template <class Owner, class T>
-Key<Owner> key(const std::string& name, T Owner::*member, const Kind<T>& kind,
-               const std::string& meaning) {
-  return {name, kind.legal, meaning,
-          [=](const Place& place, Owner& owner, Report& report) {
-            kind.read(place, owner.*member, report);
-          },
-          [=](const Owner& owner) { return kind.print(owner.*member); }};
-}
-
-template <class Owner>
-Key<Owner> required(Key<Owner> k) {
-  k.required = true;
-  return k;
-}
-
-template <class Owner>
-using Keys = std::vector<Key<Owner>>;
-
-/// Adds to `keys` those of a section, which is a member of the owner.
-template <class Owner, class Section>
-void add_section(Keys<Owner>& keys, const std::string& name, Section Owner::*member,
-                 const Keys<Section>& section) {
-  for (const Key<Section>& k : section)
-    keys.push_back({name + "." + k.name, k.legal, k.meaning,
-                    [=](const Place& place, Owner& owner, Report& report) {
-                      k.read(place, owner.*member, report);
-                    },
-                    [=](const Owner& owner) { return k.print(owner.*member); }});
-}
 
 Kind<AgentId> agent_id() {
   const Kind<std::uint32_t> plain = number<std::uint32_t>(1, 65535);
@@ -134,7 +103,7 @@ Keys<StructureConfig> structure_keys() {
 
 Keys<CoverageSettings> coverage_keys() {
   using C = CoverageSettings;
-  return {
+  Keys<C> keys = {
       key("spacing_m", &C::spacing_m, number<double>(0.2, 100),
           "D: greatest distance between neighbouring path lines; what the scanner's width allows."),
       key("standoff_m", &C::standoff_m, number<double>(0.2, 100),
@@ -159,6 +128,8 @@ Keys<CoverageSettings> coverage_keys() {
           "Points of a cloud on the ground: `auto` tells them from the structure, and does not "
           "inspect them; `keep` does."),
   };
+  add_section(keys, "sensor", &C::sensor, sensor_keys());
+  return keys;
 }
 
 Keys<FleetConfig> fleet_keys() {

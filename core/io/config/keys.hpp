@@ -19,6 +19,7 @@ struct Key {
   std::function<void(const Place&, Owner&, Report&)> read;
   std::function<std::string(const Owner&)> print;  ///< YAML; empty: has no value now
   bool required = false;
+  bool is_first = false;  ///< read before its section's other keys, whose defaults it sets
 };
 
 inline constexpr std::uint32_t most_agents = 64;
@@ -28,6 +29,9 @@ const std::vector<Key<Config>>& config_keys();
 
 /// The keys of an entry of fleet.uavs.
 const std::vector<Key<Uav>>& uav_keys();
+
+/// The keys of a sensor; its kind chooses a preset, which the other keys change.
+std::vector<Key<Sensor>> sensor_keys();
 
 /// Reads a mapping: unknown, repeated and malformed keys are reported, required ones demanded.
 /// Found keys are noted in the report.

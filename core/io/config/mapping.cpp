@@ -33,6 +33,21 @@ std::string hint(const std::string& word, const std::string& section,
   return fmt::format("; legal: {}", fmt::join(words, ", "));
 }
 
+/// The entries of a mapping as they stand, those first that set what the others change.
+template <class Owner>
+std::vector<std::pair<YAML::Node, YAML::Node>> in_order(const YAML::Node& mapping,
+                                                        const std::string& section,
+                                                        const std::vector<Key<Owner>>& keys) {
+  std::vector<std::pair<YAML::Node, YAML::Node>> entries;
+  for (const auto& entry : mapping) entries.emplace_back(entry.first, entry.second);
+  std::stable_partition(entries.begin(), entries.end(), [&](const auto& entry) {
+    return std::any_of(keys.begin(), keys.end(), [&](const Key<Owner>& k) {
+      return k.is_first && entry.first.IsScalar() && k.name == section + entry.first.Scalar();
+    });
+  });
+  return entries;
+}
+
 template <class Owner>
 void read_section(const Place& place, const std::string& section,
                   const std::vector<Key<Owner>>& keys, Owner& owner, Report& report) {
@@ -43,7 +58,7 @@ void read_section(const Place& place, const std::string& section,
     return;
   }
   std::map<std::string, int> first_line;
-  for (const auto& entry : place.node) {
+  for (const auto& entry : in_order(place.node, section, keys)) {
     const YAML::Mark at = entry.first.Mark();
     if (!entry.first.IsScalar()) {
       report.problem(at, place.path, "a key must be a word");

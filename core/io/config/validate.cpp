@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
 #include <map>
 
 #include "core/base/error.hpp"
@@ -62,6 +63,29 @@ void check_coverage(const CoverageSettings& coverage, Report& report) {
                     coverage.safety_m, coverage.standoff_m, coverage.standoff_m / room));
 }
 
+/// A sensor that sees nothing at the stand-off would cover nothing.
+void check_sensor(const CoverageSettings& coverage, Report& report) {
+  const Sensor& sensor = coverage.sensor;
+  const std::string prefix = "coverage.sensor.";
+  if (sensor.range_m <= coverage.standoff_m)
+    report.conflict({prefix + "range_m", "coverage.standoff_m"},
+                    fmt::format("{} does not exceed coverage.standoff_m, {}: it would see nothing",
+                                sensor.range_m, coverage.standoff_m));
+  if (sensor.least_range_m >= coverage.standoff_m)
+    report.conflict({prefix + "least_range_m", "coverage.standoff_m"},
+                    fmt::format("{} is not below coverage.standoff_m, {}: it would see nothing",
+                                sensor.least_range_m, coverage.standoff_m));
+  if (sensor.lowest_look_deg > sensor.highest_look_deg)
+    report.conflict({prefix + "lowest_look_deg", prefix + "highest_look_deg"},
+                    fmt::format("{} is above highest_look_deg, {}", sensor.lowest_look_deg,
+                                sensor.highest_look_deg));
+  const bool is_flat = sensor.kind == SensorKind::camera;
+  if (is_flat && std::max(sensor.horizontal_fov_deg, sensor.vertical_fov_deg) >= 180)
+    report.conflict({prefix + "horizontal_fov_deg", prefix + "vertical_fov_deg", prefix + "kind"},
+                    fmt::format("{} by {} is no camera's field of view; legal: less than 180",
+                                sensor.horizontal_fov_deg, sensor.vertical_fov_deg));
+}
+
 void check_fleet(const FleetConfig& fleet, Report& report) {
   if (!fleet.uavs.empty() && fleet.agents != fleet.uavs.size())
     report.conflict({"fleet.agents", "fleet.uavs"},
@@ -100,6 +124,7 @@ void check_together(const Config& config, Report& report) {
   else
     check_bridge(config.structure.parametric, report);
   check_coverage(config.coverage, report);
+  check_sensor(config.coverage, report);
   check_fleet(config.fleet, report);
   if (config.auction.lease_ns / 3 < config.auction.tick_ns)
     report.conflict({"auction.lease_ms", "auction.tick_ms"},
