@@ -38,13 +38,14 @@ enum class Fate : std::uint8_t {
   too_close_to_the_ground,  ///< a position would see it, were there neither floor nor ground
   unreachable,              ///< seen only from positions that are not connected to the outside
   out_of_range,             ///< seen only from too far or too near
-  incidence,                ///< seen only at too flat an angle
   gimbal,                   ///< seen only at elevations that the gimbal cannot take
+  incidence,                ///< seen only at too flat an angle
   occluded                  ///< no free position sees it in any direction
 };
 inline constexpr std::array<std::string_view, 9> fate_names{
-    "covered",   "missed", "not assigned", "too close to the ground", "unreachable", "out of range",
-    "incidence", "gimbal", "occluded"};
+    "covered",     "missed",       "not assigned", "too close to the ground",
+    "unreachable", "out of range", "gimbal",       "incidence",
+    "occluded"};
 
 /// One side of a surface point, as certificate_samples.bin has it.
 struct SampleResult {

@@ -18,6 +18,7 @@ constexpr std::uint8_t kinds = 3;
 // The others: from where its middle can be reached.
 constexpr std::uint8_t over_floor = 4;  // from outside, never below the floor
 constexpr std::uint8_t at_all = 8;      // from outside, were there neither floor nor ground
+constexpr int beside = 2;  // the same two, so many bits higher: it, or a cell that touches it
 
 constexpr double most_cells = 64e6;
 constexpr double half_diagonal = 0.8660254037844387;  // of a cell of 1 m, rounded up
@@ -59,6 +60,7 @@ FreeSpace::FreeSpace(const Structure& structure, const Distances& distances,
   });
   fill(true);
   fill(false);
+  note_neighbours();
 }
 
 bool FreeSpace::is_inside(const Cell& cell) const {
@@ -79,7 +81,8 @@ FreeSpace::Cell FreeSpace::cell_of(const Vec3& position) const {
   Cell cell;
   for (int axis = 0; axis < 3; ++axis)
     cell[axis] = static_cast<std::int32_t>(
-        std::lround(std::clamp((position[axis] - low_m_[axis]) / grid_m_, -2.0, 2e9)));
+                     std::clamp((position[axis] - low_m_[axis]) / grid_m_, -2.0, 2e9) + 2.5) -
+                 2;
   return cell;
 }
 
@@ -174,42 +177,57 @@ bool FreeSpace::keeps_clear(const Vec3& from, const Vec3& to) const {
   return distances_.from(from, to, settings_.safety_m).distance_m >= settings_.safety_m;
 }
 
-/// Calls `visit(cell, value, is_own)` for the eight cells whose middles are around a position, its
-/// own first, until it returns true.
-template <class Visit>
-void FreeSpace::visit_corners(const Vec3& position, const Visit& visit) const {
+/// Whether a free position is a clear step away from a cell's middle that is connected.
+bool FreeSpace::leads_out(const Vec3& position, std::uint8_t how) const {
   const Cell own = cell_of(position);
   const Vec3 off = position - middle(own);
   for (int corner = 0; corner < 8; ++corner) {
     Cell cell = own;
     for (int axis = 0; axis < 3; ++axis)
       if ((corner >> axis & 1) != 0) cell[axis] += off[axis] > 0 ? 1 : -1;
-    if (is_inside(cell) && visit(cell, cells_[index(cell)], corner == 0)) return;
+    if (!is_inside(cell)) continue;
+    const std::uint8_t value = cells_[index(cell)];
+    if ((value & how) == 0) continue;
+    if ((corner == 0 && (value & kinds) == wide) || keeps_clear(position, middle(cell)))
+      return true;
   }
+  return false;
 }
 
-/// Whether a free position is a clear step away from a cell's middle that is connected.
-bool FreeSpace::leads_out(const Vec3& position, std::uint8_t how) const {
-  bool leads = false;
-  visit_corners(position, [&](const Cell& cell, std::uint8_t value, bool is_own) {
-    leads = (value & how) != 0 &&
-            ((is_own && (value & kinds) == wide) || keeps_clear(position, middle(cell)));
-    return leads;
-  });
-  return leads;
+/// Gives every cell the marks of all that touch it, apart from its own: one axis after another.
+void FreeSpace::note_neighbours() {
+  for (std::uint8_t& value : cells_)
+    value |= static_cast<std::uint8_t>((value & (over_floor | at_all)) << beside);
+  std::ptrdiff_t stride = 1;
+  constexpr std::uint8_t marks = (over_floor | at_all) << beside;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::ptrdiff_t length = size_[axis], slab = stride * length;
+    std::vector<std::uint8_t> before(static_cast<std::size_t>(stride));
+    for (std::ptrdiff_t first = 0; first < static_cast<std::ptrdiff_t>(cells_.size());
+         first += slab) {
+      std::fill(before.begin(), before.end(), 0);
+      for (std::ptrdiff_t at = first; at < first + slab; at += stride)
+        for (std::ptrdiff_t n = 0; n < stride; ++n) {
+          std::uint8_t& value = cells_[static_cast<std::size_t>(at + n)];
+          const std::uint8_t own = value & marks;
+          const bool is_last = at + stride == first + slab;
+          const std::uint8_t next =
+              is_last ? 0 : cells_[static_cast<std::size_t>(at + n + stride)] & marks;
+          value |= before[static_cast<std::size_t>(n)] | next;
+          before[static_cast<std::size_t>(n)] = own;
+        }
+    }
+    stride = slab;
+  }
 }
 
 Place FreeSpace::at_best(const Vec3& position) const {
   const bool is_low = position.z() < settings_.floor_m;
   const Cell own = cell_of(position);
   if (!is_inside(own)) return is_low ? Place::too_low : Place::flyable;
-  const std::uint8_t kind = cells_[index(own)] & kinds;
+  const std::uint8_t value = cells_[index(own)], kind = value & kinds;
   if (kind == blocked) return Place::not_free;
-  std::uint8_t marks = 0;
-  visit_corners(position, [&marks](const Cell&, std::uint8_t value, bool is_own) {
-    marks |= value;
-    return is_own && (value & kinds) == wide;  // then its own marks say all
-  });
+  const std::uint8_t marks = kind == wide ? value : static_cast<std::uint8_t>(value >> beside);
   if (!is_low && (marks & over_floor) != 0) return Place::flyable;
   if ((marks & at_all) != 0) return Place::too_low;
   return kind >= close ? Place::pocket : Place::not_free;

@@ -33,7 +33,7 @@ class FreeSpace {
             const FreeSpaceSettings& settings);
 
   Place place(const Vec3& position) const;
-  /// The best that place() can say of a position, from the grid alone. What lies in a cell whose
+  /// The best that place() may say of a position, from its cell alone. What lies in a cell whose
   /// middle is not free, and beside nothing that is connected, counts as not free.
   Place at_best(const Vec3& position) const;
   double grid_m() const { return grid_m_; }
@@ -49,6 +49,7 @@ class FreeSpace {
   void try_step(const Cell& from, const Cell& to, bool with_floor, bool proven_only,
                 std::vector<Cell>& front, std::vector<Cell>& unproven);
   std::vector<Cell> rim(bool with_floor) const;
+  void note_neighbours();
   bool is_inside(const Cell& cell) const;
   std::size_t index(const Cell& cell) const;
   Vec3 middle(const Cell& cell) const;
@@ -56,8 +57,6 @@ class FreeSpace {
   bool is_over_floor(const Cell& cell) const { return cell[2] >= floor_cell_; }
   bool keeps_clear(const Vec3& from, const Vec3& to) const;
   bool leads_out(const Vec3& position, std::uint8_t how) const;
-  template <class Visit>
-  void visit_corners(const Vec3& position, const Visit& visit) const;
 
   const Distances& distances_;
   const FreeSpaceSettings settings_;

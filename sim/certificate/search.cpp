@@ -69,8 +69,8 @@ struct Search::Found {
     if (low) return Finding::too_low;
     if (pocket) return Finding::unreachable;
     if (far) return Finding::out_of_range;
-    if (flat) return Finding::too_flat;
-    return no_look ? Finding::no_look : Finding::occluded;
+    if (no_look) return Finding::no_look;
+    return flat ? Finding::too_flat : Finding::occluded;
   }
 };
 
@@ -100,7 +100,7 @@ Finding Search::around(const Sample& sample, double turn) const {
   Found found;
   for (std::size_t n = 0; n < directions_.steep.size() && !found.visible; n += Rays::size)
     try_eight(sample, frame, &directions_.steep[n], true, found);
-  if (found.any()) return found.first();
+  if (found.any() || found.no_look) return found.first();
   for (std::size_t n = 0; n < directions_.flat.size() && !found.flat; n += Rays::size)
     try_eight(sample, frame, &directions_.flat[n], false, found);
   return found.first();
@@ -129,10 +129,11 @@ void Search::trace(const Sample& sample, const Vec3& direction, bool is_steep, F
   const double reach_m = lines_.reach_m(sample.eye_m, direction, most_m);
   for (double t = safety_m_; t <= reach_m; t += step_m) {
     const Vec3 position = sample.eye_m + t * direction;
-    const bool in_range = sensing_.in_range((position - sample.position_m).norm());
     const Place hope = space_.at_best(position);
-    if (hope == Place::not_free || (hope != Place::flyable && !(is_good && in_range))) continue;
+    if (hope == Place::not_free || (hope != Place::flyable && !is_good)) continue;
     if ((hope == Place::pocket && found.pocket) || (hope == Place::too_low && found.low)) continue;
+    const bool in_range = sensing_.in_range((position - sample.position_m).norm());
+    if (hope != Place::flyable && !in_range) continue;
     const Place place = space_.place(position);
     if (place == Place::flyable) return found.add_flyable(can_point, is_steep, in_range);
     found.low = found.low || (is_good && in_range && place == Place::too_low);

@@ -17,8 +17,8 @@ enum class Finding : std::uint8_t {
   too_low,       ///< one would, were there neither floor nor ground
   unreachable,   ///< only positions that are not connected to the outside do
   out_of_range,  ///< a flyable position sees it, but only from too far (or too near)
-  too_flat,      ///< only at too flat an angle
   no_look,       ///< only at an elevation that the gimbal cannot take
+  too_flat,      ///< only at too flat an angle
   occluded       ///< nothing of all this
 };
 

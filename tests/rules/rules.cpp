@@ -123,6 +123,30 @@ void for_each_link(const Files& files, Visit visit) {
   }
 }
 
+/// Includes and links of a folder's files that lead to our own code elsewhere, unless it is_free.
+template <class IsFree>
+Violations shared_code(const Files& files, const std::string& folder, const std::string& what,
+                       IsFree is_free) {
+  const auto is_shared = [&](const std::string& path) {
+    return legal_edges.contains(layer_of(path)) && !path.starts_with(folder) && !is_free(path);
+  };
+  Violations found;
+  for (const SourceFile& file : files)
+    if (is_cpp(file.path) && file.path.starts_with(folder))
+      for (const Include& include : includes(file.text))
+        if (is_shared(include.name))
+          found.push_back(
+              fmt::format("{}:{}: includes {}; {}", file.path, include.line, include.name, what));
+  for_each_link(files, [&](const SourceFile& file, int line, const std::string& target,
+                           const std::string& target_folder, const std::string& library,
+                           const std::string& library_folder) {
+    if (target_folder.starts_with(folder) && is_shared(library_folder))
+      found.push_back(
+          fmt::format("{}:{}: {} links {}; {}", file.path, line, target, library, what));
+  });
+  return found;
+}
+
 }  // namespace
 
 Violations include_layers(const Files& files) {
@@ -180,11 +204,11 @@ Violations core_is_arithmetic(const Files& files) {
   };
   append(found, includes_matching(files, "^fast(dds|rtps)/",
                                   "Fast DDS stays in idl and the processes", core_or_sim));
-  append(found, includes_matching(files, "^fastcdr/", "legal only in .cpp files of sim/mcap and core/io/record",
-                                  [&](const std::string& path) {
-                                    return core_or_sim(path) &&
-                                           (!may_lay_out_cdr(path) || is_header(path));
-                                  }));
+  append(found, includes_matching(
+                    files, "^fastcdr/", "legal only in .cpp files of sim/mcap and core/io/record",
+                    [&](const std::string& path) {
+                      return core_or_sim(path) && (!may_lay_out_cdr(path) || is_header(path));
+                    }));
   static const std::regex clocks(
       "\\b(steady_clock|system_clock|high_resolution_clock|clock_gettime|gettimeofday)\\b");
   for (const SourceFile& file : files)
@@ -215,24 +239,19 @@ Violations geometry_libraries_stay_in_core(const Files& files) {
 }
 
 Violations checker_is_independent(const Files& files) {
-  const std::string checker = "sim/checker/";
-  const std::string what = "the checker shares nothing with what it checks";
-  Violations found;
-  for (const SourceFile& file : files)
-    if (is_cpp(file.path) && file.path.starts_with(checker))
-      for (const Include& include : includes(file.text))
-        if (legal_edges.contains(layer_of(include.name)) && !include.name.starts_with(checker))
-          found.push_back(
-              fmt::format("{}:{}: includes {}; {}", file.path, include.line, include.name, what));
-  for_each_link(files, [&](const SourceFile& file, int line, const std::string& target,
-                           const std::string& folder, const std::string& library,
-                           const std::string& library_folder) {
-    if (folder.starts_with(checker) && legal_edges.contains(layer_of(library_folder)) &&
-        !library_folder.starts_with(checker))
-      found.push_back(
-          fmt::format("{}:{}: {} links {}; {}", file.path, line, target, library, what));
-  });
-  return found;
+  return shared_code(files, "sim/checker/", "the checker shares nothing with what it checks",
+                     [](const std::string&) { return false; });
+}
+
+Violations certificate_is_independent(const Files& files) {
+  // The structure and the sensor as plain data, errors, and the checker's reader of routes.
+  static const std::set<std::string> plain = {"core/arcs/arc.hpp", "core/base/error.hpp",
+                                              "core/structure/sensor.hpp",
+                                              "core/structure/structure.hpp"};
+  return shared_code(files, "sim/certificate/", "the certificate shares no code with what plans",
+                     [](const std::string& path) {
+                       return path.starts_with("sim/checker/") || plain.contains(path);
+                     });
 }
 
 Violations license_line(const Files& files) {

@@ -32,6 +32,9 @@ Violations geometry_libraries_stay_in_core(const Files& files);
 /// The checker shares nothing with what it checks.
 Violations checker_is_independent(const Files& files);
 
+/// The certificate shares no code with what plans: of core it sees plain data only.
+Violations certificate_is_independent(const Files& files);
+
 Violations license_line(const Files& files);
 Violations no_registry_hosts(const Files& files);
 /// Whatever is left to do has an issue's number.

@@ -46,6 +46,9 @@ TEST(Repository, GeometryLibrariesStayInCore) {
 TEST(Repository, CheckerIsIndependent) {
   expect_holds(checker_is_independent);
 }
+TEST(Repository, CertificateIsIndependent) {
+  expect_holds(certificate_is_independent);
+}
 TEST(Repository, EverySourceHasItsLicenseLine) {
   expect_holds(license_line);
 }
@@ -168,10 +171,10 @@ TEST(Rules, FastDdsIsSeenInAllOfCoreAndSim) {
 
 TEST(Rules, FastCdrServesMcapOnly) {
   const std::string include = "#include <fastcdr/Cdr.h>\n";
-  EXPECT_THAT(core_is_arithmetic({{"sim/mcap/a.cpp", include},
-                                  {"core/io/record/a.cpp", include},
-                                  {"idl/a.hpp", include}}),
-              IsEmpty());
+  EXPECT_THAT(
+      core_is_arithmetic(
+          {{"sim/mcap/a.cpp", include}, {"core/io/record/a.cpp", include}, {"idl/a.hpp", include}}),
+      IsEmpty());
   for (const std::string file : {"sim/mcap/a.hpp", "sim/a.cpp", "core/io/a.cpp"})
     EXPECT_THAT(core_is_arithmetic({{file, include}}), testing::SizeIs(1)) << file;
 }
@@ -222,6 +225,21 @@ TEST(Rules, ACheckerThatSharesCodeIsSeen) {
       checker_is_independent({core_cmake,
                               {"sim/checker/CMakeLists.txt",
                                "add_library(c c.cpp)\ntarget_link_libraries(c the_arcs)\n"}}),
+      testing::SizeIs(1));
+}
+
+TEST(Rules, ACertificateThatSharesCodeIsSeen) {
+  EXPECT_THAT(
+      certificate_is_independent(
+          {{"sim/certificate/a.cpp",
+            "#include \"sim/certificate/b.hpp\"\n#include \"core/structure/structure.hpp\"\n"
+            "#include \"sim/checker/b.hpp\"\n#include \"core/structure/cover.hpp\"\n"}}),
+      ElementsAre("sim/certificate/a.cpp:4: includes core/structure/cover.hpp; the "
+                  "certificate shares no code with what plans"));
+  EXPECT_THAT(
+      certificate_is_independent({core_cmake,
+                                  {"sim/certificate/CMakeLists.txt",
+                                   "add_library(c c.cpp)\ntarget_link_libraries(c the_arcs)\n"}}),
       testing::SizeIs(1));
 }
 
