@@ -8,11 +8,15 @@
 #include "core/io/faults/fault_files.hpp"
 #include "core/io/process/command_line.hpp"
 #include "sim/auction/command.hpp"
+#include "sim/certificate/files.hpp"
 #include "sim/checker/checker.hpp"
+#include "sim/commands/certify_command.hpp"
+#include "sim/commands/certify_run.hpp"
 #include "sim/commands/diff_command.hpp"
 #include "sim/commands/doctor_command.hpp"
 #include "sim/commands/explain_command.hpp"
 #include "sim/commands/export_command.hpp"
+#include "sim/commands/plan_command.hpp"
 #include "sim/commands/replay_command.hpp"
 #include "sim/commands/sim_command.hpp"
 #include "sim/commands/view_command.hpp"
@@ -28,7 +32,7 @@ using namespace arcbid;
 struct RunArguments {
   std::string config, structure, unit, up, out, faults, fault_tier;
   std::optional<std::uint32_t> agents;
-  bool print_config = false, view = false, report = false;
+  bool print_config = false, view = false, report = false, no_certificate = false;
 };
 
 Config configured(const RunArguments& arguments) {
@@ -74,6 +78,15 @@ void report_if_built(const std::filesystem::path& out) {
   }
 }
 
+/// A run stands by its own checks; what its routes see and how near they come is measured apart.
+void certify(const std::filesystem::path& out) {
+  try {
+    fmt::print("{}", certificate::table(certify_run(out, {})));
+  } catch (const InputError& error) {
+    fmt::print(stderr, "no certificate: {}\n", error.what());
+  }
+}
+
 Exit run(const RunArguments& arguments) {
   const Config config = configured(arguments);
   if (arguments.print_config) {
@@ -94,6 +107,7 @@ Exit run(const RunArguments& arguments) {
     std::fflush(stdout);
   }
   const Exit exit = launch({config, std::filesystem::absolute(out), faults, tier, programs()});
+  if (!arguments.no_certificate && exit != Exit::bad_input && !stop_requested()) certify(out);
   is_over = true;
   if (arguments.report && exit != Exit::bad_input) report_if_built(out);
   while (viewer && exit != Exit::bad_input && !stop_requested())
@@ -136,6 +150,8 @@ CLI::App* add_run(CLI::App& app, RunArguments& arguments) {
       ->needs(faults);
   run->add_flag("--view", arguments.view, "serve the viewer meanwhile, and until Ctrl-C");
   run->add_flag("--report", arguments.report, "end by writing the viewer with the run in it");
+  run->add_flag("--no-certificate", arguments.no_certificate,
+                "do not measure what the routes see and how near they come");
   run->add_flag("--print-config", arguments.print_config,
                 "print the config as it would run, and stop");
   return run;
@@ -173,6 +189,8 @@ int main(int argc, char** argv) {
   const ViewCommand view(app);
   const ExportCommand export_run(app);
   const DoctorCommand doctor(app);
+  const PlanCommand plan(app);
+  const CertifyCommand certify_again(app);
   CLI::App* reference_command =
       app.add_subcommand("config-reference", "print every key of a config, its range and default");
   return run_command_line(app, argc, argv, [&] {
@@ -186,6 +204,8 @@ int main(int argc, char** argv) {
     if (view.parsed()) return view.run(programs());
     if (export_run.parsed()) return export_run.run();
     if (doctor.parsed()) return doctor.run();
+    if (plan.parsed()) return plan.run();
+    if (certify_again.parsed()) return certify_again.run();
     if (check_command->parsed()) return check_again(directory);
     if (picture_command->parsed()) fmt::print("{}", draw_routes(directory));
     if (reference_command->parsed()) fmt::print("{}", config_reference());
