@@ -47,15 +47,20 @@ std::vector<Waypoint> reversed(std::vector<Waypoint> polyline);
 /// Digest over ids, kinds and all coordinates, bit for bit.
 std::uint64_t digest(const std::vector<Arc>& arcs);
 
-/// Points laid out for what is done to many of them at once.
+/// Points laid out for what is done to many of them at once. A point may carry the number that a
+/// transit knows it by.
 struct Points {
+  static constexpr std::uint32_t unknown = UINT32_MAX;
   std::vector<double> x, y, z;
+  std::vector<std::uint32_t> place;
 
   std::size_t size() const { return x.size(); }
   Vec3 at(std::size_t n) const { return {x[n], y[n], z[n]}; }
   void clear();
-  void insert(std::size_t before, const Vec3& point);
-  void push_back(const Vec3& point) { insert(size(), point); }
+  void insert(std::size_t before, const Vec3& point, std::uint32_t place_number = unknown);
+  void push_back(const Vec3& point, std::uint32_t place_number = unknown) {
+    insert(size(), point, place_number);
+  }
   /// Puts the last one in the place of number `n`.
   void remove(std::size_t n);
 };
@@ -67,8 +72,10 @@ class Transit {
  public:
   virtual ~Transit() = default;
   virtual double length_m(const Vec3& from, const Vec3& to) const = 0;
+  /// The number by which this transit knows a point; Points that carry it are looked up fast.
+  virtual std::uint32_t place(const Vec3&) const { return Points::unknown; }
   /// The same for many at once, bit for bit: to each of `to`, and from each of `from`. `out` has
-  /// room for all.
+  /// room for all. Numbers that the points carry are this transit's.
   virtual void lengths_m(const Vec3& from, const Points& to, double* out) const;
   virtual void lengths_m(const Points& from, const Vec3& to, double* out) const;
   /// The way flown, both ends included.

@@ -7,13 +7,15 @@ namespace arcbid {
 
 void Points::clear() {
   for (auto* axis : {&x, &y, &z}) axis->clear();
+  place.clear();
 }
 
-void Points::insert(std::size_t before, const Vec3& point) {
+void Points::insert(std::size_t before, const Vec3& point, std::uint32_t place_number) {
   const auto at = static_cast<std::ptrdiff_t>(before);
   x.insert(x.begin() + at, point.x());
   y.insert(y.begin() + at, point.y());
   z.insert(z.begin() + at, point.z());
+  place.insert(place.begin() + at, place_number);
 }
 
 void Points::remove(std::size_t n) {
@@ -21,6 +23,8 @@ void Points::remove(std::size_t n) {
     (*axis)[n] = axis->back();
     axis->pop_back();
   }
+  place[n] = place.back();
+  place.pop_back();
 }
 
 void Transit::lengths_m(const Vec3& from, const Points& to, double* out) const {

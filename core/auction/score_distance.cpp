@@ -30,6 +30,10 @@ const Vec3& DistanceScore::exit(const PathStop& stop) const {
   return entry({stop.task, !stop.reversed});
 }
 
+void DistanceScore::add(Points& points, std::size_t before, const Vec3& point) const {
+  points.insert(before, point, transit_.place(point));
+}
+
 /// The transit into position l of the path as it is.
 double DistanceScore::leg_m(std::size_t position) const {
   if (position >= after_.size()) return 0;
@@ -40,12 +44,12 @@ void DistanceScore::assign(std::vector<PathStop> path) {
   path_ = std::move(path);
   before_.clear();
   after_.clear();
-  before_.push_back(uav_.home_m);
+  add(before_, before_.size(), uav_.home_m);
   for (const PathStop& stop : path_) {
-    after_.push_back(entry(stop));
-    before_.push_back(exit(stop));
+    add(after_, after_.size(), entry(stop));
+    add(before_, before_.size(), exit(stop));
   }
-  if (set_.return_home) after_.push_back(uav_.home_m);
+  if (set_.return_home) add(after_, after_.size(), uav_.home_m);
   transits_m_.clear();
   tour_m_ = 0;
   for (std::size_t l = 0; l <= path_.size(); ++l) {
@@ -95,8 +99,8 @@ DistanceScore::Cached& DistanceScore::known(TaskId task) {
   scan(task);
   cached.slot = static_cast<std::uint32_t>(active_.size());
   active_.push_back(task);
-  firsts_.push_back(entry({task, false}));
-  lasts_.push_back(exit({task, false}));
+  add(firsts_, firsts_.size(), entry({task, false}));
+  add(lasts_, lasts_.size(), exit({task, false}));
   return cached;
 }
 
@@ -164,8 +168,8 @@ void DistanceScore::insert(TaskId task, const Insertion& where) {
   const PathStop stop{task, where.reversed};
   const double old_leg_m = transits_m_[l];
   path_.insert(path_.begin() + l, stop);
-  before_.insert(l + 1, exit(stop));
-  after_.insert(l, entry(stop));
+  add(before_, l + 1, exit(stop));
+  add(after_, l, entry(stop));
   transits_m_[l] = leg_m(l);
   transits_m_.insert(transits_m_.begin() + l + 1, leg_m(l + 1));
   tour_m_ += transits_m_[l] + transits_m_[l + 1] - old_leg_m + set_.tasks[task.value].length_m();

@@ -43,6 +43,7 @@ class DistanceScore final : public PathScore {
 
   const Vec3& entry(const PathStop& stop) const;
   const Vec3& exit(const PathStop& stop) const;
+  void add(Points& points, std::size_t before, const Vec3& point) const;
   double leg_m(std::size_t position) const;
   double detour_m(const Lengths& lengths, std::size_t n, double leg_m, bool& reversed) const;
   void scan(TaskId task);

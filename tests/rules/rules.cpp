@@ -53,6 +53,11 @@ bool may_lay_out_cdr(const std::string& path) {
   return path.starts_with("sim/mcap/") || path.starts_with("core/io/record");
 }
 
+/// Geometry may use all processors where the result is the same bit for bit.
+bool may_share_out_arithmetic(const std::string& path) {
+  return path.starts_with("core/airspace");
+}
+
 bool matches(const std::string& text, const char* pattern) {
   return std::regex_search(text, std::regex(pattern));
 }
@@ -186,7 +191,9 @@ Violations link_layers(const Files& files) {
     const char* fast_dds = may_lay_out_cdr(folder) ? "^fast(rtps|dds)$" : "^fast(rtps|cdr|dds)$";
     if ((from == "core" || from == "sim") && matches(library, fast_dds))
       found.push_back(place + "Fast DDS stays in idl and the processes");
-    if (is_deciding(folder) && matches(library, "^(spdlog|SQLite|sqlite|Threads::)"))
+    const char* outside = may_share_out_arithmetic(folder) ? "^(spdlog|SQLite|sqlite)"
+                                                           : "^(spdlog|SQLite|sqlite|Threads::)";
+    if (is_deciding(folder) && matches(library, outside))
       found.push_back(place + "core is arithmetic");
   });
   return found;
@@ -195,10 +202,15 @@ Violations link_layers(const Files& files) {
 Violations core_is_arithmetic(const Files& files) {
   Violations found = includes_matching(
       files,
-      "^(thread|mutex|shared_mutex|condition_variable|future|stop_token|semaphore|fstream|iostream|"
+      "^(mutex|shared_mutex|condition_variable|future|stop_token|semaphore|fstream|iostream|"
       "filesystem|random|ctime|time\\.h|sys/.*|unistd\\.h|spdlog/.*|fast(dds|rtps|cdr)/"
       ".*|sqlite3.*)$",
       "core is arithmetic: time, randomness, files and messages come in as data", is_deciding);
+  append(found, includes_matching(files, "^thread$", "legal only in .cpp files of core/airspace",
+                                  [](const std::string& path) {
+                                    return is_deciding(path) &&
+                                           (!may_share_out_arithmetic(path) || is_header(path));
+                                  }));
   const auto core_or_sim = [](const std::string& path) {
     return layer_of(path) == "core" || layer_of(path) == "sim";
   };

@@ -139,6 +139,8 @@ TEST(Rules, LibrariesThatTouchTheWorldAreSeen) {
   EXPECT_THAT(link("sim/mcap", "fastcdr"), IsEmpty());
   EXPECT_THAT(link("sim/mcap", "fastrtps"), testing::SizeIs(1));
   EXPECT_THAT(link("core/tour", "spdlog::spdlog"), testing::SizeIs(1));
+  EXPECT_THAT(link("core/tour", "Threads::Threads"), testing::SizeIs(1));
+  EXPECT_THAT(link("core/airspace", "Threads::Threads"), IsEmpty());
   EXPECT_THAT(link("core/arcs", "SQLite::SQLite3"), testing::SizeIs(1));
   EXPECT_THAT(link("core/io/x", "SQLite::SQLite3"), IsEmpty());
   EXPECT_THAT(link("idl", "fastrtps"), IsEmpty());
@@ -155,6 +157,7 @@ TEST(Rules, EveryHeaderOfTheWorldIsSeenInWhatDecides) {
           << module << " " << header;
   EXPECT_THAT(core_is_arithmetic({{"core/io/a.cpp", "#include <fstream>\n#include <sqlite3.h>\n"},
                                   {"core/tour/a.cpp", "#include <vector>\n"},
+                                  {"core/airspace/a.cpp", "#include <thread>\n"},
                                   {"agent/a.cpp", "#include <thread>\n"}}),
               IsEmpty());
 }
