@@ -12,6 +12,7 @@
 
 #include "core/io/run/arcs_json.hpp"
 #include "core/io/run/run_files.hpp"
+#include "core/route/make_transit.hpp"
 #include "core/route/route.hpp"
 #include "idl/payload_size.hpp"
 
@@ -137,7 +138,7 @@ void HostedAgent::handle(const Mission& mission) {
   }
   mission_ = std::make_shared<const Mission>(mission);
   mission_digest_ = digest(mission);
-  transit_ = std::make_shared<const StraightTransit>();
+  transit_ = make_transit(mission);
   const Birth birth{options_.id, incarnation_, clock_ns()};
   agent_ = std::make_unique<Agent>(options_.id, incarnation_, mission_, transit_, birth.now_ns);
   log_.birth(now_ns(), birth, mission);

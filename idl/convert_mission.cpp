@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/airspace/runs.hpp"
 #include "idl/convert_common.hpp"
 
 namespace arcbid {
@@ -83,6 +84,50 @@ Arc decode(const wire::Arc& arc, std::size_t position, Verdict& verdict) {
   return out;
 }
 
+wire::Airspace encode(const Airspace& airspace) {
+  wire::Airspace out;
+  out.low_m(encode(airspace.low_m));
+  out.cell_m(airspace.cell_m);
+  out.cells(airspace.cells);
+  out.runs(airspace.runs);
+  for (const Access& access : airspace.accesses) {
+    wire::Access& next = out.accesses().emplace_back();
+    next.arc(access.arc.value);
+    next.waypoint(access.waypoint);
+    for (const Vec3& p : access.points) next.points().emplace_back().position_m(encode(p));
+  }
+  return out;
+}
+
+/// An access begins at a waypoint of one of the mission's arcs.
+void check_begin(const Access& access, const std::vector<Arc>& arcs, Verdict& verdict) {
+  const std::size_t arc = access.arc.value;
+  verdict.require(arc < arcs.size(), "airspace.access.arc", arc);
+  if (!verdict.accepted()) return;
+  const auto& waypoints = arcs[arc].waypoints;
+  verdict.require(access.waypoint < waypoints.size() && !access.points.empty() &&
+                      waypoints[access.waypoint].position_m == access.points.front(),
+                  "airspace.access.waypoint", access.waypoint);
+}
+
+Airspace decode(const wire::Airspace& airspace, const std::vector<Arc>& arcs, Verdict& verdict) {
+  Airspace out;
+  out.low_m = decode(airspace.low_m(), "airspace.low_m", verdict);
+  out.cell_m = airspace.cell_m();
+  verdict.finite("airspace.cell_m", out.cell_m);
+  out.cells = airspace.cells();
+  out.runs = airspace.runs();
+  for (const wire::Access& access : airspace.accesses()) {
+    out.accesses.push_back({ArcId{access.arc()}, access.waypoint(), {}});
+    for (const wire::Place& p : access.points())
+      out.accesses.back().points.push_back(
+          decode(p.position_m(), "airspace.access.points", verdict));
+    check_begin(out.accesses.back(), arcs, verdict);
+  }
+  if (const auto reason = unsound(out)) verdict.require(false, "airspace", *reason);
+  return out;
+}
+
 Uav decode(const wire::Uav& uav, std::uint32_t previous_id, Verdict& verdict) {
   verdict.require(uav.id() > previous_id, "fleet.id", uav.id());
   verdict.require(std::isfinite(uav.speed_mps()) && uav.speed_mps() > 0, "fleet.speed_mps",
@@ -99,6 +144,10 @@ void check_sizes(const wire::Mission& mission, Verdict& verdict) {
   std::size_t waypoints = 0;
   for (const wire::Arc& arc : mission.arcs()) waypoints += arc.waypoints().size();
   verdict.at_most("arcs.waypoints", waypoints, kMaxWaypoints);
+  verdict.at_most("airspace.accesses", mission.airspace().accesses().size(), kMaxArcs);
+  std::size_t points = 0;
+  for (const wire::Access& access : mission.airspace().accesses()) points += access.points().size();
+  verdict.at_most("airspace.accesses.points", points, kMaxWaypoints);
 }
 
 }  // namespace
@@ -119,6 +168,7 @@ wire::Mission to_wire(const Mission& mission) {
     out.fleet()[i].home_m(encode(mission.fleet[i].home_m));
     out.fleet()[i].speed_mps(mission.fleet[i].speed_mps);
   }
+  out.airspace(encode(mission.airspace));
   out.auction(encode(mission.auction));
   out.tour().seed(mission.tour.seed);
   out.tour().epochs(mission.tour.epochs);
@@ -136,6 +186,7 @@ Decoded<Mission> from_wire(const wire::Mission& mission) {
     out.arcs.push_back(decode(arc, out.arcs.size(), verdict));
   for (const wire::Uav& uav : mission.fleet())
     out.fleet.push_back(decode(uav, out.fleet.empty() ? 0 : out.fleet.back().id.value, verdict));
+  out.airspace = decode(mission.airspace(), out.arcs, verdict);
   out.auction = decode(mission.auction(), verdict);
   out.tour = {mission.tour().seed(), mission.tour().epochs()};
   return verdict.on(std::move(out));

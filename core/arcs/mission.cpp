@@ -12,6 +12,7 @@ std::uint64_t digest(const Mission& mission) {
     d.add(std::uint64_t{uav.id.value}).add(uav.speed_mps);
     for (int axis = 0; axis < 3; ++axis) d.add(uav.home_m[axis]);
   }
+  d.add(digest(mission.airspace));
   const AuctionSettings& a = mission.auction;
   d.add(static_cast<std::uint64_t>(a.policy)).add(static_cast<std::uint64_t>(a.score));
   d.add(a.discount_per_s).add(std::uint64_t{a.split_m.has_value()}).add(a.split_m.value_or(0));

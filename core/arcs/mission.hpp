@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/arcs/airspace.hpp"
 #include "core/arcs/arc.hpp"
 #include "core/base/ids.hpp"
 
@@ -76,6 +77,7 @@ struct Mission {
   std::string name;
   std::vector<Arc> arcs;   ///< arcs[i].id.value == i.
   std::vector<Uav> fleet;  ///< the roster, ascending ids.
+  Airspace airspace;       ///< empty: legs are straight.
   AuctionSettings auction;
   TourSettings tour;
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/auction/agent.hpp"
+#include "core/route/make_transit.hpp"
 
 namespace arcbid {
 namespace {
@@ -31,7 +32,7 @@ class OnceMore {
       : log_(log),
         drop_(drop),
         agent_(log.birth()->agent, log.birth()->incarnation, log.mission(),
-               std::make_shared<const StraightTransit>(), log.birth()->now_ns) {
+               make_transit(*log.mission()), log.birth()->now_ns) {
     out_.message = drop.source->id;
     out_.dropped_ns = log.marks()[drop.mark].t_ns;
   }

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "core/auction/agent.hpp"
+#include "core/route/make_transit.hpp"
 
 namespace arcbid {
 namespace {
@@ -80,7 +81,8 @@ Divergence divergence_of(const LifeLog& life, const Mark& mark, const TaskSet& t
 /// The tours: functions of the mission and of what was won.
 class RouteVerifier {
  public:
-  RouteVerifier(const LifeLog& life, const TaskSet& tasks) : life_(life), tasks_(tasks) {}
+  RouteVerifier(const LifeLog& life, const TaskSet& tasks, const Transit& transit)
+      : life_(life), tasks_(tasks), transit_(transit) {}
 
   void agreed(const Mark& mark, const Agreement& agreement) {
     agreements_[agreement.view_hash] = {mark, agreement.path};
@@ -93,8 +95,7 @@ class RouteVerifier {
       const auto won = agreements_.find(logged.view_hash);
       if (won == agreements_.end()) continue;
       const auto& [mark, path] = won->second;
-      const PlannedRoute again{logged.view_hash,
-                               plan_route(mission, tasks_, path, *uav, StraightTransit())};
+      const PlannedRoute again{logged.view_hash, plan_route(mission, tasks_, path, *uav, transit_)};
       if (encode(again) == encode(logged)) {
         ++verdict.routes;
         continue;
@@ -116,6 +117,7 @@ class RouteVerifier {
  private:
   const LifeLog& life_;
   const TaskSet& tasks_;
+  const Transit& transit_;
   std::map<std::uint64_t, std::pair<Mark, std::vector<PathStop>>> agreements_;
 };
 
@@ -124,10 +126,10 @@ class RouteVerifier {
 LifeVerdict verify(const LifeLog& life) {
   life.schemas().demand_own();
   LifeVerdict verdict;
-  const auto transit = std::make_shared<const StraightTransit>();
+  const auto transit = make_transit(*life.mission());
   Agent agent(life.birth()->agent, life.birth()->incarnation, life.mission(), transit,
               life.birth()->now_ns);
-  RouteVerifier routes(life, agent.tasks());
+  RouteVerifier routes(life, agent.tasks(), *transit);
   const std::size_t whole = life.gap().value_or(life.marks().size());
   verdict.beyond_proof = life.marks().size() - whole;
   life.steps([&](std::size_t at, Step logged, std::string_view bytes) {

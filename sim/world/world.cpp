@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/route/make_transit.hpp"
+
 namespace arcbid {
 namespace {
 
@@ -28,7 +30,7 @@ World::World(const WorldSpec& spec, const Trace& trace, WorldObserver* observer)
       trace_(trace),
       observer_(observer),
       mission_(std::make_shared<const Mission>(spec.mission)),
-      transit_(std::make_shared<StraightTransit>()),
+      transit_(make_transit(spec.mission)),
       pieces_(cut(spec.mission)),
       network_(spec),
       script_(script_of(spec)),

@@ -9,6 +9,7 @@
 #include "core/io/faults/fault_files.hpp"
 #include "core/io/run/run_files.hpp"
 #include "sim/launcher/fault_script.hpp"
+#include "core/route/make_transit.hpp"
 
 namespace arcbid {
 
@@ -31,7 +32,7 @@ nlohmann::json WorldLog::acts_until(TimeNs end_ns) const {
 }
 
 WorldLog::WorldLog(const WorldSpec& spec, std::filesystem::path directory)
-    : spec_(spec), directory_(std::move(directory)) {
+    : spec_(spec), transit_(make_transit(spec.mission)), directory_(std::move(directory)) {
   std::error_code none;
   if (std::filesystem::exists(directory_, none) && !std::filesystem::is_empty(directory_, none))
     throw InputError(
@@ -78,7 +79,7 @@ void WorldLog::plan(Life& life, TimeNs now_ns) const {
                                 [&life](const Uav& u) { return u.id == life.agent; });
   const TaskSet tasks = split(mission.arcs, mission.auction.split_m, mission.auction.max_tasks);
   const Agreement agreement = *std::exchange(life.agreement, std::nullopt);
-  const Route route = plan_route(mission, tasks, agreement.path, *uav, StraightTransit());
+  const Route route = plan_route(mission, tasks, agreement.path, *uav, *transit_);
   life.log->route(now_ns, {agreement.view_hash, route});
   write_route_file(directory_, life.agent, mission, tasks, agreement, route,
                    static_cast<double>(now_ns) * 1e-9);

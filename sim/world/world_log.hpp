@@ -34,6 +34,7 @@ class WorldLog final : public WorldObserver {
   nlohmann::json acts_until(TimeNs end_ns) const;
 
   const WorldSpec& spec_;
+  const std::shared_ptr<const Transit> transit_;
   const std::filesystem::path directory_;
   std::map<std::uint32_t, std::unique_ptr<Life>> lives_;
 };

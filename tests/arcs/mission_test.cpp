@@ -16,6 +16,7 @@ TEST(MissionDigest, EveryFieldCounts) {
                    ArcKind::outline,
                    {{Vec3(0, 0, 0), Vec3(1, 0, 0)}, {Vec3(1, 0, 0), Vec3(1, 0, 0)}}}};
   mission.fleet = {{AgentId{1}, Vec3(0, 0, 0), 1}, {AgentId{2}, Vec3(0, 3, 0), 1}};
+  mission.airspace = {Vec3(0, 0, 3), 0.5, {4, 3, 2}, {20, 4}, {{ArcId{0}, 1, {Vec3(1, 0, 0)}}}};
   std::set<std::uint64_t> digests = {digest(mission)};
   EXPECT_EQ(digest(Mission(mission)), *digests.begin());
   std::size_t changes = 0;
@@ -32,6 +33,15 @@ TEST(MissionDigest, EveryFieldCounts) {
   change([](Mission& m) { m.fleet[1].id.value = 3; });
   change([](Mission& m) { m.fleet[1].home_m.z() = 1; });
   change([](Mission& m) { m.fleet[0].speed_mps = 2; });
+  change([](Mission& m) { m.airspace = {}; });
+  change([](Mission& m) { m.airspace.low_m.z() = 2; });
+  change([](Mission& m) { m.airspace.cell_m = 1; });
+  change([](Mission& m) { m.airspace.cells = {3, 4, 2}; });
+  change([](Mission& m) { m.airspace.runs = {4, 20}; });
+  change([](Mission& m) { m.airspace.accesses.clear(); });
+  change([](Mission& m) { m.airspace.accesses[0].arc.value = 1; });
+  change([](Mission& m) { m.airspace.accesses[0].waypoint = 0; });
+  change([](Mission& m) { m.airspace.accesses[0].points[0].y() = 1; });
   change([](Mission& m) { m.auction.policy = PolicyKind::cbba; });
   change([](Mission& m) { m.auction.score = ScoreKind::minisum; });
   change([](Mission& m) { m.auction.discount_per_s = 1; });

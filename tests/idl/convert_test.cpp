@@ -136,8 +136,8 @@ TEST(Convert, NotFiniteIsRefusedEverywhere) {
 
 TEST(Convert, ValuesOutsideEnumerationsAreRefused) {
   wire::Mission mission = to_wire(samples::mission());
-  mission.arcs()[1].kind(static_cast<wire::ArcKind>(3));
-  EXPECT_THAT(refusal(mission), HasSubstr("arc.kind = 3"));
+  mission.arcs()[1].kind(static_cast<wire::ArcKind>(4));
+  EXPECT_THAT(refusal(mission), HasSubstr("arc.kind = 4"));
   mission = to_wire(samples::mission());
   mission.auction().policy(static_cast<wire::PolicyKind>(5));
   EXPECT_THAT(refusal(mission), HasSubstr("auction.policy = 5"));
@@ -175,6 +175,42 @@ TEST(Convert, MissionsNobodyCanFlyAreRefused) {
               HasSubstr("barrier_ns"));
   EXPECT_THAT(refused_after([](Mission& m) { m.name.assign(kMaxText + 1, 'x'); }),
               HasSubstr("name has 4097 entries"));
+}
+
+TEST(Convert, AirspacesThatNoCoordinatorMakesAreRefused) {
+  const auto refused_after = [](auto change) {
+    Mission mission = samples::mission();
+    change(mission.airspace);
+    return refusal(to_wire(mission));
+  };
+  EXPECT_EQ(refused_after([](Airspace&) {}), "accepted");
+  EXPECT_EQ(refused_after([](Airspace& a) { a = {}; }), "accepted");
+  for (const double bad : {kNan, kInf, -kInf}) {
+    EXPECT_THAT(refused_after([&](Airspace& a) { a.low_m.y() = bad; }),
+                HasSubstr("airspace.low_m"));
+    EXPECT_THAT(refused_after([&](Airspace& a) { a.cell_m = bad; }), HasSubstr("airspace.cell_m"));
+    EXPECT_THAT(refused_after([&](Airspace& a) { a.accesses[0].points[1].x() = bad; }),
+                HasSubstr("airspace.access.points"));
+  }
+  EXPECT_THAT(refused_after([](Airspace& a) {
+                a.cells = {4'000'000'000, 2, 3};
+              }),
+              HasSubstr("cells: 4000000000 along an axis"));
+  EXPECT_THAT(refused_after([](Airspace& a) {
+                a.cells = {4, 3, 1};
+              }),
+              HasSubstr("more than the 12"));
+  EXPECT_THAT(refused_after([](Airspace& a) { a.runs = {255, 255, 255, 255, 255, 1}; }),
+              HasSubstr("runs: no number at byte 0"));
+  EXPECT_THAT(refused_after([](Airspace& a) { a.runs.clear(); }), HasSubstr("0 cells instead of"));
+  EXPECT_THAT(refused_after([](Airspace& a) { a.accesses[0].arc.value = 1000; }),
+              HasSubstr("airspace.access.arc = 1000"));
+  EXPECT_THAT(refused_after([](Airspace& a) { a.accesses[0].waypoint = 0; }),
+              HasSubstr("airspace.access.waypoint = 0"));
+  EXPECT_THAT(refused_after([](Airspace& a) { a.accesses[0].points.clear(); }),
+              HasSubstr("airspace.access.waypoint"));
+  EXPECT_THAT(refused_after([](Airspace& a) { a.accesses[0].points.resize(1); }),
+              HasSubstr("fewer than two points"));
 }
 
 TEST(Convert, OversizedAndNamelessAreRefused) {

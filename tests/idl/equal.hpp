@@ -36,8 +36,16 @@ inline bool same(const AuctionSettings& a, const AuctionSettings& b) {
          a.audit_bids == b.audit_bids && a.tick_ns == b.tick_ns && a.lease_ns == b.lease_ns &&
          a.barrier_ns == b.barrier_ns;
 }
+inline bool same(const Access& a, const Access& b) {
+  return a.arc == b.arc && a.waypoint == b.waypoint && same(a.points, b.points);
+}
+inline bool same(const Airspace& a, const Airspace& b) {
+  return same(a.low_m, b.low_m) && same(a.cell_m, b.cell_m) && a.cells == b.cells &&
+         a.runs == b.runs && same(a.accesses, b.accesses);
+}
 inline bool same(const Mission& a, const Mission& b) {
   return a.id == b.id && a.name == b.name && same(a.arcs, b.arcs) && same(a.fleet, b.fleet) &&
+         same(a.airspace, b.airspace) &&
          same(a.auction, b.auction) && a.tour.seed == b.tour.seed && a.tour.epochs == b.tour.epochs;
 }
 inline bool same(const ControlMessage& a, const ControlMessage& b) {

@@ -33,6 +33,27 @@ TEST(PlanMission, IsTheSameBitForBitWhenMadeAgain) {
   EXPECT_NE(digest(plan_mission(config, 5).mission), digest(plan_mission(config, 6).mission));
 }
 
+TEST(PlanMission, PublishesWhatIsInTheWay) {
+  const Mission mission = plan_mission(Config{}, 1).mission;
+  EXPECT_FALSE(mission.airspace.empty());
+  EXPECT_EQ(mission.airspace.low_m.z(), 3);
+  EXPECT_LT(mission.airspace.runs.size(), 10'000u);
+}
+
+TEST(PlanMission, RefusesAHomeFromWhichNobodyCanRise) {
+  Config config;
+  config.fleet.uavs = {{{7}, {-20, 0, 0}, 1}, {{3}, {30, 0, 12.5}, 1}};
+  try {
+    plan_mission(config, 1);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()),
+              "fleet.uavs[1].home_m: from (30, 0, 12.5) a UAV cannot rise to z = 3 and fly on with "
+              "coverage.safety_m 2 between it and the structure; legal is a place with that and "
+              "some 0.5 m more around it");
+  }
+}
+
 TEST(PlanMission, RefusesBundlesThatCannotHoldAllTasks) {
   Config config;
   config.auction.bundle_limit = 1;

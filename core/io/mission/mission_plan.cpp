@@ -7,6 +7,7 @@
 #include <iterator>
 #include <utility>
 
+#include "core/airspace/surroundings.hpp"
 #include "core/auction/task_set.hpp"
 #include "core/base/error.hpp"
 #include "core/coverage/coverage_arcs.hpp"
@@ -36,6 +37,14 @@ ArcPlan arcs_of(const StructureInput& input, const Config& config) {
   }
 }
 
+/// Where in the config a UAV stands: fleets are sorted by id.
+std::size_t given_at(const Config& config, const Uav& uav) {
+  const auto& uavs = config.fleet.uavs;
+  return static_cast<std::size_t>(
+      std::find_if(uavs.begin(), uavs.end(), [&](const Uav& u) { return u.id == uav.id; }) -
+      uavs.begin());
+}
+
 /// A mesh that is small enough stays one; of anything larger, points at equal steps.
 Structure thinned(const Structure& structure) {
   constexpr std::size_t most = 200'000;
@@ -58,6 +67,35 @@ void require_room(const Mission& mission) {
         "auction.bundle_limit: {} for each of {} agents leaves {} of {} tasks without an "
         "owner; legal are 0 (no limit) or at least {}",
         limit, agents, tasks - limit * agents, tasks, (tasks + agents - 1) / agents));
+}
+
+/// Default homes stand far enough away; a config may have put one under the deck.
+void require_clear_homes(const Config& config, const std::vector<Uav>& fleet,
+                         const Surroundings& surroundings, const Airspace& airspace) {
+  for (std::size_t i = 0; i < fleet.size(); ++i) {
+    const Vec3& home = fleet[i].home_m;
+    if (surroundings.clear_home(home, airspace)) continue;
+    const std::string place =
+        config.fleet.uavs.empty()
+            ? fmt::format("fleet: the home of agent {}", fleet[i].id.value)
+            : fmt::format("fleet.uavs[{}].home_m", given_at(config, fleet[i]));
+    throw InputError(fmt::format(
+        "{}: from ({}, {}, {}) a UAV cannot rise to z = {:.6g} and fly on with coverage.safety_m "
+        "{} "
+        "between it and the structure; legal is a place with that and some {:.2g} m more around it",
+        place, home.x(), home.y(), home.z(), surroundings.floor_m(), config.coverage.safety_m,
+        airspace.cell_m));
+  }
+}
+
+/// The model of what is in the way, arcs that nobody could reach left out.
+Airspace airspace_of(const Surroundings& surroundings, const Config& config, ArcPlan& arcs) {
+  Airspace airspace = surroundings.airspace(arcs.arcs, arcs.warnings);
+  if (arcs.arcs.empty())
+    throw InputError(fmt::format(
+        "structure: no arc can be reached from outside with coverage.safety_m {} all the way",
+        config.coverage.safety_m));
+  return airspace;
 }
 
 }  // namespace
@@ -84,6 +122,10 @@ std::vector<Uav> place_fleet(const FleetConfig& fleet, const Vec3& low_m, const 
 MissionPlan plan_mission(const Config& config, std::uint64_t id) {
   StructureInput input = structure_of(config.structure);
   ArcPlan arcs = arcs_of(input, config);
+  const Surroundings surroundings(input.structure, config.coverage);
+  Airspace airspace = airspace_of(surroundings, config, arcs);
+  Vec3 ground_m = arcs.low_m;
+  ground_m.z() = config.coverage.ground_m.value_or(ground_m.z());
   MissionPlan plan;
   plan.shown = thinned(input.structure);
   plan.warnings = std::move(input.warnings);
@@ -92,9 +134,11 @@ MissionPlan plan_mission(const Config& config, std::uint64_t id) {
       .id = id,
       .name = config.name,
       .arcs = std::move(arcs.arcs),
-      .fleet = place_fleet(config.fleet, arcs.low_m, arcs.high_m, 2 * config.coverage.standoff_m),
+      .fleet = place_fleet(config.fleet, ground_m, arcs.high_m, 2 * config.coverage.standoff_m),
+      .airspace = std::move(airspace),
       .auction = config.auction,
       .tour = config.tour};
+  require_clear_homes(config, plan.mission.fleet, surroundings, plan.mission.airspace);
   require_room(plan.mission);
   return plan;
 }

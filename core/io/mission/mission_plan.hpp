@@ -17,7 +17,8 @@ struct MissionPlan {
 };
 
 /// Structure in, arcs out, a home for every UAV: reads the structure (or generates the parametric
-/// one), makes its arcs, places the fleet. `id`: distinct for every mission. Throws InputError.
+/// one), makes its arcs and the model of what is in the way between them, places the fleet. `id`:
+/// distinct for every mission. Throws InputError.
 MissionPlan plan_mission(const Config& config, std::uint64_t id);
 
 /// UAVs without a home of their own stand on the ground along the structure's longer side, evenly

@@ -189,11 +189,26 @@ ARCBID_RECORD(TourSettings) {
   v("seed", s.seed);
   v("epochs", s.epochs);
 }
+ARCBID_RECORD(Access) {
+  v("arc", s.arc);
+  v("waypoint", s.waypoint);
+  v("points", s.points);
+}
+ARCBID_RECORD(Airspace) {
+  v("low_m", s.low_m);
+  v("cell_m", s.cell_m);
+  v("cells_x", s.cells[0]);
+  v("cells_y", s.cells[1]);
+  v("cells_z", s.cells[2]);
+  v("runs", s.runs);
+  v("accesses", s.accesses);
+}
 ARCBID_RECORD(Mission) {
   v("id", s.id);
   v("name", s.name);
   v("arcs", s.arcs);
   v("fleet", s.fleet);
+  v("airspace", s.airspace);
   v("auction", s.auction);
   v("tour", s.tour);
 }
