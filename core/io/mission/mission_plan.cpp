@@ -88,6 +88,19 @@ void require_clear_homes(const Config& config, const std::vector<Uav>& fleet,
   }
 }
 
+/// Default homes are on the ground; where the ground itself belongs to the surface, as much higher
+/// as its clearance asks for.
+void lift_homes(std::vector<Uav>& fleet, const Surroundings& surroundings,
+                const Airspace& airspace) {
+  constexpr double step_m = 0.25;
+  for (Uav& uav : fleet)
+    for (Vec3 home = uav.home_m; home.z() <= surroundings.floor_m(); home.z() += step_m) {
+      if (!surroundings.clear_home(home, airspace)) continue;
+      uav.home_m = home;
+      break;
+    }
+}
+
 /// The model of what is in the way, arcs that nobody could reach left out.
 Airspace airspace_of(const Surroundings& surroundings, const Config& config, ArcPlan& arcs) {
   Airspace airspace = surroundings.airspace(arcs.arcs, arcs.warnings);
@@ -138,6 +151,8 @@ MissionPlan plan_mission(const Config& config, std::uint64_t id) {
       .airspace = std::move(airspace),
       .auction = config.auction,
       .tour = config.tour};
+  if (config.fleet.uavs.empty())
+    lift_homes(plan.mission.fleet, surroundings, plan.mission.airspace);
   require_clear_homes(config, plan.mission.fleet, surroundings, plan.mission.airspace);
   require_room(plan.mission);
   return plan;
