@@ -81,10 +81,15 @@ void ObstacleTransit::fill_table(unsigned threads) {
   const std::size_t n = places_.size();
   lengths_m_.assign(n * n, 0);
   std::atomic<std::uint32_t> next = 0;
+  std::vector<std::uint32_t> last_linked(roadmap_.size(), 0);
+  for (std::uint32_t a = 0; a < n; ++a)
+    for (const LinkedDoor& door : places_[a].doors)
+      for (const Roadmap::Link& link : door.links) last_linked[link.node] = a + 1;
   const auto work = [&] {
     Search search(grid_, roadmap_);
+    search.expect(last_linked);
     for (std::uint32_t a = next++; a < n; a = next++) {
-      search.start(places_[a].doors);
+      search.start(places_[a].doors, a);
       for (std::size_t b = a + 1; b < n; ++b)
         lengths_m_[a * n + b] = lengths_m_[b * n + a] =
             way_length_m(leg(search, places_[a], places_[b]));

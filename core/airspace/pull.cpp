@@ -12,6 +12,7 @@ namespace {
 constexpr int kMostRounds = 3;     // of moving every bend once
 constexpr double kWorthIt = 0.99;  // another round follows one that gained a per cent
 constexpr int kHalvings = 5;       // of how far a bend is moved
+constexpr std::size_t kBendsOfAnEnd = 2;
 
 Vec3 foot(const Vec3& p, const Vec3& from, const Vec3& to) {
   const Vec3 step = to - from;
@@ -61,6 +62,14 @@ void pull(const FreeGrid& grid, std::vector<Vec3>& way) {
     shorten(grid, way);
     const double before_m = std::exchange(length_m, way_length_m(way));
     if (length_m > kWorthIt * before_m) return;
+  }
+}
+
+void pull_end(const FreeGrid& grid, std::vector<Vec3>& way) {
+  while (way.size() > 2 && grid.sees(way[way.size() - 3], way.back())) way.erase(way.end() - 2);
+  for (std::size_t bends = 0; bends < kBendsOfAnEnd && way.size() > bends + 2; ++bends) {
+    const std::size_t n = way.size() - 2 - bends;
+    move_bend(grid, way[n - 1], way[n], way[n + 1]);
   }
 }
 

@@ -15,4 +15,7 @@ void shorten(const FreeGrid& grid, std::vector<Vec3>& way);
 /// becomes longer.
 void pull(const FreeGrid& grid, std::vector<Vec3>& way);
 
+/// The same of a way that was pulled before its last point was added: only its end is looked at.
+void pull_end(const FreeGrid& grid, std::vector<Vec3>& way);
+
 }  // namespace arcbid

@@ -12,11 +12,17 @@ bool Search::Open::operator<(const Open& other) const {
   return length_m != other.length_m ? length_m > other.length_m : node > other.node;
 }
 
-Search::Search(const FreeGrid& grid, const Roadmap& roadmap) : grid_(grid), roadmap_(roadmap) {}
+Search::Search(const FreeGrid& grid, const Roadmap& roadmap)
+    : grid_(grid), roadmap_(roadmap), pulled_(roadmap.size()) {}
+
+void Search::expect(std::vector<std::uint32_t> last_linked) {
+  last_linked_ = std::move(last_linked);
+}
 
 /// Nothing is searched before somebody asks for what is not in sight.
-void Search::start(const std::vector<LinkedDoor>& doors) {
+void Search::start(const std::vector<LinkedDoor>& doors, std::uint32_t number) {
   doors_ = &doors;
+  number_ = number;
   ran_ = false;
 }
 
@@ -59,6 +65,10 @@ void Search::run() {
   ran_ = true;
   reached_.assign(roadmap_.size(), {});
   open_.clear();
+  for (const std::uint32_t node : has_pulled_) pulled_[node].clear();
+  has_pulled_.clear();
+  const auto counts = [this](std::uint32_t last) { return last > number_ + 1; };
+  auto missing = std::count_if(last_linked_.begin(), last_linked_.end(), counts);
   for (std::uint32_t d = 0; d < doors_->size(); ++d) {
     const LinkedDoor& door = (*doors_)[d];
     for (std::uint32_t k = 0; k < door.links.size(); ++k) {
@@ -73,6 +83,7 @@ void Search::run() {
     open_.pop_back();
     if (reached_[node].settled) continue;
     settle(node);
+    if (!last_linked_.empty() && counts(last_linked_[node]) && --missing == 0) return;
     const Reached& here = reached_[node];
     const bool bends = here.from.kind == Step::Kind::link;
     const Step from = bends ? Step{Step::Kind::node, node, 0} : here.from;
@@ -136,27 +147,37 @@ std::optional<Search::End> Search::best_end(const std::vector<LinkedDoor>& doors
   return best;
 }
 
-/// From the start's door to `to`, doors' ways left out.
-std::vector<Vec3> Search::unrolled(const End& end, const LinkedDoor& to) const {
-  std::vector<Vec3> back{to.door.at()};
-  if (end.between) back.insert(back.end(), end.between->begin(), end.between->end());
-  Step at = end.from;
-  for (; at.kind == Step::Kind::node; at = reached_[at.a].from) back.push_back(place(at));
-  if (at.kind == Step::Kind::link) {
-    const auto& between = (*doors_)[at.a].links[at.b].between;
-    back.insert(back.end(), between.rbegin(), between.rend());
+/// From the start's door to a step's place.
+std::vector<Vec3> Search::up_to(const Step& step) {
+  if (step.kind == Step::Kind::node) return pulled(step.a);
+  const LinkedDoor& door = (*doors_)[step.a];
+  std::vector<Vec3> way{door.door.at()};
+  if (step.kind == Step::Kind::link) {
+    const auto& between = door.links[step.b].between;
+    way.insert(way.end(), between.begin(), between.end());
   }
-  back.push_back(place(at));
-  std::reverse(back.begin(), back.end());
-  return back;
+  return way;
+}
+
+/// The way to a node, its string pulled: many ways have their beginning in common.
+const std::vector<Vec3>& Search::pulled(std::uint32_t node) {
+  if (!pulled_[node].empty()) return pulled_[node];
+  std::vector<Vec3> way = up_to(reached_[node].from);
+  way.push_back(roadmap_.node(node));
+  pull_end(grid_, way);
+  has_pulled_.push_back(node);
+  return pulled_[node] = std::move(way);
 }
 
 std::optional<std::vector<Vec3>> Search::way(const std::vector<LinkedDoor>& doors) {
   const std::optional<End> end = best_end(doors);
   if (!end) return std::nullopt;
   const LinkedDoor& to = doors[end->door];
-  std::vector<Vec3> free = unrolled(*end, to);
-  pull(grid_, free);
+  std::vector<Vec3> free = up_to(end->from);
+  if (end->between) free.insert(free.end(), end->between->rbegin(), end->between->rend());
+  free.push_back(to.door.at());
+  if (end->between && !end->between->empty()) shorten(grid_, free);
+  pull_end(grid_, free);
   Step first = end->from;
   while (first.kind == Step::Kind::node) first = reached_[first.a].from;
   std::vector<Vec3> way = (*doors_)[first.a].door.way;

@@ -24,8 +24,14 @@ class Search {
   /// Keeps references to both.
   Search(const FreeGrid& grid, const Roadmap& roadmap);
 
-  /// From the place that has these doors. They must outlive what is asked afterwards.
-  void start(const std::vector<LinkedDoor>& doors);
+  /// Of places that have numbers: which is the last one that has a link to each node, plus one; 0
+  /// for none. A search from one of them then ends when it has reached what later ones are linked
+  /// to, which changes nothing for these.
+  void expect(std::vector<std::uint32_t> last_linked);
+
+  /// From the place that has these doors, and this number if that matters. They must outlive what
+  /// is asked afterwards.
+  void start(const std::vector<LinkedDoor>& doors, std::uint32_t number = 0);
 
   /// To the place that has these doors: the way, both ends included, its string pulled between the
   /// doors. None where the two do not hang together.
@@ -63,7 +69,8 @@ class Search {
   std::optional<End> best_end(const std::vector<LinkedDoor>& doors);
   void try_straight(const LinkedDoor& to, std::size_t door, std::optional<End>& best);
   void try_links(const LinkedDoor& to, std::size_t door, std::optional<End>& best);
-  std::vector<Vec3> unrolled(const End& end, const LinkedDoor& to) const;
+  std::vector<Vec3> up_to(const Step& step);
+  const std::vector<Vec3>& pulled(std::uint32_t node);
 
   const FreeGrid& grid_;
   const Roadmap& roadmap_;
@@ -71,6 +78,10 @@ class Search {
   bool ran_ = false;
   std::vector<Reached> reached_;  // by node
   std::vector<Open> open_;
+  std::uint32_t number_ = 0;
+  std::vector<std::uint32_t> last_linked_;    // by node; empty: every node counts
+  std::vector<std::vector<Vec3>> pulled_;     // by node: the way to it; empty: not asked for yet
+  std::vector<std::uint32_t> has_pulled_;     // which are not empty
   std::vector<std::pair<Step, bool>> asked_;  // who saw the place that is asked for
 };
 
