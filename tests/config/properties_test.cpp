@@ -62,6 +62,8 @@ Config legal_config() {
   c.coverage.spacing_m = number(0.2, 100);
   c.coverage.standoff_m = number(50, 100);
   c.coverage.safety_m = number(0.1, 45);
+  c.coverage.sensor.range_m = number(101, 200);
+  c.coverage.sensor.lowest_look_deg = number(-90, 0);
   c.coverage.ground_clearance_m = number(0, 100);
   if (*rc::gen::arbitrary<bool>()) c.coverage.ground_m = number(-1e5, 1e5);
   c.coverage.rows = *rc::gen::element(RowSide::short_side, RowSide::long_side);

@@ -33,18 +33,21 @@ std::string hint(const std::string& word, const std::string& section,
   return fmt::format("; legal: {}", fmt::join(words, ", "));
 }
 
-/// The entries of a mapping as they stand, those first that set what the others change.
+/// The entries of a mapping as they stand, those first that set what the others change. Copied
+/// only: to assign to a node changes the file's.
 template <class Owner>
 std::vector<std::pair<YAML::Node, YAML::Node>> in_order(const YAML::Node& mapping,
                                                         const std::string& section,
                                                         const std::vector<Key<Owner>>& keys) {
-  std::vector<std::pair<YAML::Node, YAML::Node>> entries;
-  for (const auto& entry : mapping) entries.emplace_back(entry.first, entry.second);
-  std::stable_partition(entries.begin(), entries.end(), [&](const auto& entry) {
+  const auto is_first = [&](const YAML::Node& word) {
     return std::any_of(keys.begin(), keys.end(), [&](const Key<Owner>& k) {
-      return k.is_first && entry.first.IsScalar() && k.name == section + entry.first.Scalar();
+      return k.is_first && word.IsScalar() && k.name == section + word.Scalar();
     });
-  });
+  };
+  std::vector<std::pair<YAML::Node, YAML::Node>> entries;
+  for (const bool first : {true, false})
+    for (const auto& entry : mapping)
+      if (is_first(entry.first) == first) entries.emplace_back(entry.first, entry.second);
   return entries;
 }
 
