@@ -26,6 +26,7 @@ class JsonField {
 
   JsonField at(const char* key) const;
   std::vector<JsonField> elements() const;
+  bool is_null() const { return value_->is_null(); }
 
   double number() const;  ///< finite
   std::uint32_t id() const;

@@ -193,6 +193,8 @@ json view_data(const RunArchive& run) {
            {"explanations", explanations_of(run, playback)}};
   add_partitions(run, out["auction"]["events"]);
   if (json structure = structure_of(run); !structure.is_null()) out["structure"] = structure;
+  if (json coverage = coverage_data(run.directory); !coverage.is_null())
+    out["coverage"] = std::move(coverage);
   return out;
 }
 

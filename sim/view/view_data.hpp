@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "sim/replay/playback.hpp"
@@ -16,6 +17,9 @@ nlohmann::json view_data(const RunArchive& run);
 nlohmann::json auction_data(const RunArchive& run, const Playback& playback);
 /// Messages of each directed link, by time: sent, and of them lost, delayed and duplicated.
 nlohmann::json links_data(const RunArchive& run);
+/// What the certificate of a run directory says; null where there is none. Of files that are
+/// damaged it has what the others say, and `problem`: one line that names the file.
+nlohmann::json coverage_data(const std::filesystem::path& run);
 
 /// Seconds since launch.
 inline double seconds(TimeNs t_ns) {
