@@ -3,6 +3,7 @@
 import { gzipSync } from 'node:zlib';
 import { auction } from './auction.mjs';
 import { bridgeArcs, bridgePoints, distance, pieces, vertex } from './bridge.mjs';
+import { coverage } from './coverage.mjs';
 import { seeded } from './random.mjs';
 
 const base64 = (array) => Buffer.from(array.buffer).toString('base64');
@@ -37,7 +38,7 @@ function route(agent, won) {
   return { agent: agent.agent, length_m: time_s * agent.speed_mps, time_s, line, at_s, arc };
 }
 
-export function fixture({ seed = 7, points = 6000, agents: count = 8, rows = 5, piece = 14 } = {}) {
+export function fixture({ seed = 7, points = 6000, agents: count = 8, rows = 5, piece = 14, samples = 0 } = {}) {
   const random = seeded(seed);
   const cloud = bridgePoints(points, random);
   const arcs = bridgeArcs(rows), tasks = pieces(arcs, piece), agents = fleet(count);
@@ -61,6 +62,7 @@ export function fixture({ seed = 7, points = 6000, agents: count = 8, rows = 5, 
     },
     mission: { routes },
     explanations: record.explanations,
+    ...(samples > 0 ? { coverage: coverage(samples, routes) } : {}),
   };
 }
 

@@ -11,14 +11,18 @@ const update = process.env.ARCBID_UPDATE_REFERENCES === '1';
 /** Rasterisers round edges differently: of all pixels this share may be another colour. */
 const TOLERANCE = 0.015;
 
+/** Of the pixels of two pictures of one size. */
+export async function shareOfDifference(one, other) {
+  const { PNG } = await load('pngjs');
+  const pixelmatch = await load('pixelmatch');
+  const a = PNG.sync.read(one), b = PNG.sync.read(other);
+  assert.deepEqual([a.width, a.height], [b.width, b.height], 'another size');
+  return pixelmatch(a.data, b.data, undefined, a.width, a.height, { threshold: 0.15 }) / (a.width * a.height);
+}
+
 export async function compare(name, png) {
   const file = join(folder, `${name}.png`);
   if (update) { writeFileSync(file, png); return; }
-  const { PNG } = await load('pngjs');
-  const pixelmatch = await load('pixelmatch');
-  const drawn = PNG.sync.read(png), wanted = PNG.sync.read(readFileSync(file));
-  assert.deepEqual([drawn.width, drawn.height], [wanted.width, wanted.height], `${name}: another size`);
-  const different = pixelmatch(drawn.data, wanted.data, undefined, drawn.width, drawn.height, { threshold: 0.15 });
-  const share = different / (drawn.width * drawn.height);
+  const share = await shareOfDifference(png, readFileSync(file));
   assert.ok(share <= TOLERANCE, `${name}: ${(100 * share).toFixed(2)} % of the picture differ, ${100 * TOLERANCE} % may`);
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is shown, and the loop that shows it: a frame is drawn when something has changed.
+import { COLOURINGS, type Colouring } from './model/colouring';
+import { marksOf } from './model/coverage';
 import { Clock, RATES, type Track } from './model/clock';
 import type { RunData } from './model/data';
 import { ViewModel, type Perspective } from './model/view_model';
@@ -18,6 +20,8 @@ type Allocated = Pick<Snapshot, 'model' | 'perspective' | 't' | 'owners' | 'disp
 
 /** While time runs, text and charts change only this often. */
 const PANELS_EVERY_MS = 100;
+/** How far off a place is looked at, in clearances: it and the structure by it fill the picture. */
+const MARK_FROM = 12;
 
 export class App {
   readonly clock = new Clock();
@@ -28,6 +32,10 @@ export class App {
   task: number | null = null;
   hoverSlot = -1;
   agent: number | null = null;
+  colouring: Colouring = 'plain';
+  only: number | null = null;
+  /** The agent whose nearest place to the structure is chosen. */
+  mark: number | null = null;
   labels = true;
   dark = false;
   frames = 0;
@@ -51,6 +59,7 @@ export class App {
     const { clock } = this;
     const follows = before !== undefined && clock.track === 'auction' && clock.atEnd;
     this.model = model;
+    if (!data.coverage?.samples) this.colouring = 'plain';
     clock.setSpan('auction', { from: model.first_s, to: model.last_s });
     clock.setSpan('mission', { from: 0, to: model.mission.duration_s });
     if (!before) {
@@ -109,6 +118,7 @@ export class App {
     return {
       model, track: clock.track, t, flight_s: flies ? clock.now.mission : 0, dark: this.dark, labels: this.labels,
       perspective: this.perspective, owners, disputed, disputes, slot, hover: this.hoverSlot, agent: this.agent,
+      colouring: this.colouring, only: this.only, mark: this.mark,
       alive: (agent) => model.fleet.isAlive(agent, t),
     };
   }
@@ -143,6 +153,44 @@ export class App {
     const slot = this.task === null ? -1 : (this.model?.slotOf(this.task) ?? -1);
     const next = slot < 0 ? (direction > 0 ? 0 : tasks.length - 1) : (slot + direction + tasks.length) % tasks.length;
     this.chooseTask(tasks[next].task);
+  }
+
+  colour(colouring: Colouring): void {
+    this.colouring = this.model?.data.coverage?.samples ? colouring : 'plain';
+    this.only = null;
+    this.changed();
+  }
+
+  nextColouring(direction: 1 | -1): void {
+    const { length } = COLOURINGS;
+    this.colour(COLOURINGS[(COLOURINGS.indexOf(this.colouring) + direction + length) % length]);
+  }
+
+  /** Lets one entry of the legend stand out, or all alike again. */
+  chooseOnly(entry: number): void { this.only = this.only === entry ? null : entry; this.changed(); }
+
+  /** To where this agent comes nearest to the structure. */
+  goToMark(agent: number): void {
+    const coverage = this.model?.data.coverage;
+    const mark = marksOf(coverage).find((one) => one.agent === agent);
+    if (!mark) return;
+    this.mark = agent;
+    this.scene.camera.goTo(mark.nearest.at_m, MARK_FROM * Math.max(coverage?.figures?.safety_m ?? 0, mark.nearest.distance_m));
+    this.changed();
+  }
+
+  nextMark(direction: 1 | -1): void {
+    const marks = marksOf(this.model?.data.coverage);
+    if (marks.length === 0) return;
+    const at = marks.findIndex(({ agent }) => agent === this.mark);
+    const next = at < 0 ? (direction > 0 ? 0 : marks.length - 1) : (at + direction + marks.length) % marks.length;
+    this.goToMark(marks[next].agent);
+  }
+
+  chooseNothing(): void {
+    this.only = this.mark = null;
+    this.chooseTask(null);
+    this.chooseAgent(null);
   }
 
   nextPerspective(direction: 1 | -1): void {

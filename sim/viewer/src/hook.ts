@@ -2,6 +2,7 @@
 // What tests and scripts ask of the page: window.arcbid.
 import type { App } from './app';
 import type { Track } from './model/clock';
+import { marksOf } from './model/coverage';
 import { middleOf } from './scene/label_choice';
 import type { Theme, ThemeSwitch } from './theme';
 
@@ -23,9 +24,16 @@ export function hook(app: App, theme: ThemeSwitch): void {
       const now = app.snapshot();
       return {
         track: now.track, t: now.track === 'auction' ? now.t : now.flight_s, playing: app.clock.playing, task: app.task, agent: app.agent,
-        perspective: now.perspective, owners: [...now.owners], disputes: now.disputes, dark: now.dark, drawCalls: app.scene.drawCalls,
+        perspective: now.perspective, colouring: now.colouring, only: now.only, mark: now.mark, target: app.scene.camera.target, owners: [...now.owners], disputes: now.disputes, dark: now.dark, drawCalls: app.scene.drawCalls,
         frames: app.frames, drones: app.model!.agents.map((agent) => app.model!.mission.placeOf(agent, now.flight_s).position),
       };
+    },
+    /** Where in the window an agent's nearest place to the structure is. */
+    findMark: (agent: number) => {
+      const mark = marksOf(app.model!.data.coverage).find((one) => one.agent === agent);
+      const at = mark && app.scene.project(mark.nearest.at_m);
+      const box = document.getElementById('scene')!.getBoundingClientRect();
+      return at && { x: at.x + box.left, y: at.y + box.top };
     },
     /** Where in the window the middle of a piece is, and which piece a click there would choose. */
     find: (slot: number) => {

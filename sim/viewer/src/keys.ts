@@ -11,6 +11,8 @@ const SHEET: [string, string][] = [
   ['Space', 'play, pause'], ['← →', 'one step back, on (with Shift: ten)'], ['[ ]', 'previous, next event'],
   ['Home End', 'begin, end of the track'], ['1 2', 'auction time, mission time'], [', .', 'slower, faster'], ['R', 'loop'],
   ['V Shift V', 'next, previous view: the fleet, then as each agent sees it'], ['N P', 'next, previous piece'],
+  ['C Shift C', 'next, previous colours of the structure: plain, coverage, redundancy'],
+  ['M Shift M', 'to where the next, previous agent comes nearest to the structure'],
   ['L', 'owners beside the arcs'], ['W A S D', 'turn the view'], ['+ −', 'nearer, farther'], ['F', 'fit into view'],
   ['T', 'light, dark, as the system has it'], ['Esc', 'choose nothing'], ['?', 'this sheet'],
   ['Tab Enter', 'go through lists and buttons, use one'],
@@ -60,9 +62,11 @@ export class Keys {
       l: () => { app.labels = !app.labels; app.changed(); },
       w: turn(0, -TURN), s: turn(0, TURN), a: turn(-TURN, 0), d: turn(TURN, 0),
       '+': turn(0, 0, 1 / 1.15), '=': turn(0, 0, 1 / 1.15), '-': turn(0, 0, 1.15),
+      c: () => app.nextColouring(event.shiftKey ? -1 : 1),
+      m: () => app.nextMark(event.shiftKey ? -1 : 1),
       f: () => { scene.camera.fit(); app.changed(); },
       t: this.switchTheme,
-      Escape: () => { app.chooseTask(null); app.chooseAgent(null); },
+      Escape: () => app.chooseNothing(),
     };
   }
 }

@@ -4,7 +4,9 @@ import { Header } from './header';
 import { hook } from './hook';
 import { Keys } from './keys';
 import { embedded, follow, served } from './load';
+import { CoveragePanel } from './panels/coverage';
 import { EventPanel } from './panels/events';
+import { Legend } from './panels/legend';
 import { LinkPanel } from './panels/link_matrix';
 import { LoadPanel } from './panels/load';
 import { PiecePanel } from './panels/piece';
@@ -29,8 +31,8 @@ function build(): { app: App; header: Header } {
   const theme: ThemeSwitch = new ThemeSwitch(app, (chosen) => header.tellTheme(chosen));
   const keys: Keys = new Keys(app, byId('help-place'), () => theme.next());
   const panels = byId('panels');
-  const parts = [header, new LoadPanel(app, panels), new LinkPanel(app, panels), new PiecePanel(app, panels),
-    new RoundPanel(app, panels), new EventPanel(app, panels), new Timeline(app, byId('timeline'))];
+  const parts = [header, new LoadPanel(app, panels), new CoveragePanel(app, panels), new LinkPanel(app, panels),
+    new PiecePanel(app, panels), new RoundPanel(app, panels), new EventPanel(app, panels), new Legend(app, byId('stage')), new Timeline(app, byId('timeline'))];
   for (const part of parts) app.add(part);
   pointAt(app, canvas);
   theme.apply();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Mouse and pen on the scene: point at a piece to name it, click to have it explained.
+// Mouse and pen on the scene: point at a piece to name it, click to have it explained, click a mark to go there.
 import type { App } from './app';
 
 /** A press that moves farther than this turns the view. */
@@ -12,6 +12,8 @@ export function pointAt(app: App, canvas: HTMLCanvasElement): void {
     const still = down && Math.hypot(event.offsetX - down[0], event.offsetY - down[1]) <= STILL_PX;
     down = undefined;
     if (!still || !app.model || event.button !== 0) return;
+    const mark = app.scene.markAt(event.offsetX, event.offsetY, app.snapshot());
+    if (mark !== undefined) { app.goToMark(mark); return; }
     const slot = app.scene.pieceAt(event.offsetX, event.offsetY);
     app.chooseTask(slot < 0 ? null : app.model.tasks[slot].task);
   });

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // All that is shown at one moment, worked out once for every part of the page.
+import type { Colouring } from './model/colouring';
 import type { Track } from './model/clock';
 import type { Perspective, ViewModel } from './model/view_model';
 
@@ -20,5 +21,9 @@ export interface Snapshot {
   hover: number;
   /** The agent whose pieces are to stand out. */
   agent: number | null;
+  /** What the structure's colours mean, which of its legend stands out, and whose nearest place to it does. */
+  colouring: Colouring;
+  only: number | null;
+  mark: number | null;
   alive(agent: number): boolean;
 }

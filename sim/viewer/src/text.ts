@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How things are said.
+import { isTooNear, type Figures, type Nearest } from './model/coverage';
 import type { Track } from './model/clock';
 import type { ViewModel } from './model/view_model';
 
@@ -18,5 +19,11 @@ export function timeText(track: Track, t: number): string {
   const minutes = Math.floor(t / 60), seconds = t - 60 * minutes;
   return `${minutes}:${seconds.toFixed(1).padStart(4, '0')} min`;
 }
+
+export const clearanceText = (nearest: Nearest, figures: Figures | undefined): string =>
+  `${nearest.distance_m.toFixed(2)} m${isTooNear(nearest, figures) ? ` < ${figures!.safety_m} m` : ''}`;
+
+/** Never 100 % of what is not all. */
+export const shareText = (share: number): string => `${(Math.floor(share * 1e5) / 1e3).toFixed(share >= 0.99 && share < 1 ? 3 : 1)} %`;
 
 export const rateText = (rate: number): string => `${Number(rate.toPrecision(2))}×`;

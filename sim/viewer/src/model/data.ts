@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // View data, schema 1 (docs/VIEWER.md), as it comes and with every missing part made empty.
+import { coverageOf, type Coverage } from './coverage';
+import { list, number, object, text, type Json } from './json';
 
 export interface Arc { arc: number; kind: string; line: number[] }
 export interface Task { task: number; arc: number; from_m: number; to_m: number; line: number[] }
@@ -27,15 +29,8 @@ export interface RunData {
   auction: Auction;
   routes: Route[];
   explanations: Map<number, Explanation[]>;
+  coverage: Coverage | undefined;
 }
-
-type Json = Record<string, unknown>;
-const object = (value: unknown): Json =>
-  value !== null && typeof value === 'object' && !Array.isArray(value) ? (value as Json) : {};
-const list = <T>(value: unknown): T[] => (Array.isArray(value) ? (value as T[]) : []);
-const number = (value: unknown, otherwise: number): number =>
-  typeof value === 'number' && Number.isFinite(value) ? value : otherwise;
-const text = (value: unknown): string => (typeof value === 'string' ? value : '');
 
 /** By time; what came at one moment keeps its order. */
 function inTime<T extends { t_s: number }>(items: T[]): T[] {
@@ -99,5 +94,6 @@ export function normalise(raw: unknown): RunData {
     auction: auctionOf(object(data.auction)),
     routes: list(object(data.mission).routes),
     explanations,
+    coverage: coverageOf(data.coverage),
   };
 }

@@ -12,13 +12,13 @@ export const PATTERNS = 4;
 /** Dashes for strokes of charts and swatches, by pattern; those of the scene are in its shader. */
 export const DASHES: number[][] = [[], [7, 3], [2, 3], [9, 3, 2, 3]];
 
-const parse = (hex: string): Rgb => [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16)) as Rgb;
+export const rgbOf = (hex: string): Rgb => [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16)) as Rgb;
 const cssOf = (rgb: Rgb): string => '#' + rgb.map((v) => Math.round(v).toString(16).padStart(2, '0')).join('');
 
 export function lookOf(slot: number, dark: boolean): Look {
   const hues = dark ? DARK : LIGHT;
   const level = Math.floor(slot / hues.length);
-  const base = parse(hues[slot % hues.length]);
+  const base = rgbOf(hues[slot % hues.length]);
   const shade = Math.min(Math.floor(level / PATTERNS), 1);
   const towards = dark ? 255 : 0;
   const rgb = base.map((v) => v + (towards - v) * 0.4 * shade) as Rgb;

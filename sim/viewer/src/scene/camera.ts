@@ -88,6 +88,16 @@ export class OrbitCamera {
     centre.copy(new THREE.Vector3(off.x, off.y, depth).unproject(this.camera));
   }
 
+  /** Looks at a place from where one looks now, from nearer by. */
+  goTo(at: number[], distance: number): void {
+    const away = this.camera.position.clone().sub(this.controls.target).normalize();
+    const { minDistance, maxDistance } = this.controls;
+    this.stand(new THREE.Vector3().fromArray(at), away, Math.min(Math.max(distance, 2 * minDistance), maxDistance));
+    this.controls.update();
+  }
+
+  get target(): number[] { return this.controls.target.toArray(); }
+
   /** By key: angles in radians, nearer by a factor. */
   turn(aside: number, up: number, closer = 1): void {
     const arm = this.camera.position.clone().sub(this.controls.target);

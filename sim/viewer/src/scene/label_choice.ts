@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which labels stand in the scene: every drone's, the chosen piece's, and an owner's for each run of its pieces.
+import { isTooNear, marksOf, type Nearest } from '../model/coverage';
 import { lookOf, nobodysLook } from '../model/palette';
-import { pieceName } from '../text';
+import { clearanceText, pieceName } from '../text';
 import type { ViewModel } from '../model/view_model';
 import type { Snapshot } from '../snapshot';
 import type { Label } from './labels';
@@ -27,8 +28,23 @@ export function labelsOf(model: ViewModel, now: Snapshot, project: Project): Lab
     const at = slot >= 0 && project(middleOf(model.tasks[slot].line));
     if (at) labels.push({ ...at, y: at.y - 16, text: pieceName(model, slot, now.owners[slot]), css: cssOf(now.owners[slot]), strong: true });
   }
+  for (const { agent, nearest, at } of shownMarks(model, now, project)) {
+    const near = isTooNear(nearest, model.data.coverage?.figures);
+    const css = near ? (now.dark ? '#f0894f' : '#a8431a') : cssOf(agent);
+    const strong = near || agent === now.mark;
+    labels.push({ ...at, y: at.y - 18, pin: at, text: `${agent}: ${clearanceText(nearest, model.data.coverage?.figures)}`, css, strong });
+  }
   if (now.labels && now.track === 'auction') labels.push(...ownersAlongArcs(model, now, project, cssOf));
   return labels;
+}
+
+/** Where agents come nearest to the structure: the chosen one's place, and all while its colours are looked at. */
+export function shownMarks(model: ViewModel, now: Pick<Snapshot, 'colouring' | 'mark'>, project: Project):
+    { agent: number; nearest: Nearest; at: { x: number; y: number } }[] {
+  return marksOf(model.data.coverage).flatMap(({ agent, nearest }) => {
+    const at = now.colouring !== 'plain' || agent === now.mark ? project(nearest.at_m) : undefined;
+    return at ? [{ agent, nearest, at }] : [];
+  });
 }
 
 /** One for each run of neighbouring pieces of one owner. */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Text over the scene: no owner is shown by colour alone.
 
-export interface Label { x: number; y: number; text: string; css: string; strong: boolean }
+export interface Label { x: number; y: number; text: string; css: string; strong: boolean; pin?: { x: number; y: number } }
 
 const HEIGHT = 16;
 const FONT = '600 11px system-ui, sans-serif';
@@ -23,6 +23,19 @@ function hasRoom(taken: Taken[], { x, y }: Label, width: number): boolean {
   return true;
 }
 
+/** The place that a label speaks of. */
+function drawPin(context: CanvasRenderingContext2D, { x, y }: { x: number; y: number }, { css, strong }: Label, ink: string, paper: string): void {
+  context.beginPath();
+  context.arc(x, y, strong ? 7 : 5, 0, 2 * Math.PI);
+  for (const [colour, width] of [[paper, 5], [css, 2.5]] as const) {
+    context.strokeStyle = colour;
+    context.lineWidth = width;
+    context.stroke();
+  }
+  context.fillStyle = ink;
+  context.fillRect(x - 1, y - 1, 2, 2);
+}
+
 /** Draws those that fit without lying on each other; strong ones go first. */
 export function drawLabels(canvas: HTMLCanvasElement, labels: Label[], pixel: number, ink: string, paper: string): void {
   const context = canvas.getContext('2d');
@@ -34,6 +47,7 @@ export function drawLabels(canvas: HTMLCanvasElement, labels: Label[], pixel: nu
   context.textBaseline = 'middle';
   const taken: Taken[] = [];
   for (const label of [...labels].sort((a, b) => Number(b.strong) - Number(a.strong))) {
+    if (label.pin) drawPin(context, label.pin, label, ink, paper);
     const width = widthOf(context, label.text);
     if (!label.strong && !hasRoom(taken, label, width)) continue;
     taken.push({ x: label.x, y: label.y, width });

@@ -8,15 +8,18 @@ import { OrbitCamera } from './camera';
 import { Drones } from './drones';
 import { FatLines } from './fat_lines';
 import { drawLabels } from './labels';
-import { labelsOf } from './label_choice';
+import { labelsOf, shownMarks } from './label_choice';
 import { Picker } from './pick';
 import { mixed, routeStrokes } from './routes';
+import { SampleCloud } from './samples';
 import { Structure, tonesOf } from './structure';
 
 const PIECE_PX = 4.5, ROUTE_PX = 3.2;
 const PIECE_BIAS = 2e-5, ROUTE_BIAS = 4e-5;
 
-interface Content { structure: Structure; pieces: FatLines; routes: FatLines; drones: Drones; picker: Picker }
+const MARK_REACH_PX = 12;
+
+interface Content { structure: Structure; samples: SampleCloud | undefined; pieces: FatLines; routes: FatLines; drones: Drones; picker: Picker }
 
 export class SceneView {
   readonly camera: OrbitCamera;
@@ -47,8 +50,10 @@ export class SceneView {
     const pieces = new FatLines(model.tasks.map(({ line, from_m }) => ({ line, along_m: from_m })), PIECE_PX, PIECE_BIAS, dash);
     const routes = new FatLines(routeStrokes(model), ROUTE_PX, ROUTE_BIAS, dash / 4);
     const drones = new Drones(model.agents.length);
-    this.content = { structure, pieces, routes, drones, picker: new Picker(pieces) };
-    this.scene.add(structure.group, pieces.mesh, routes.mesh, drones.group);
+    const { figures, samples: sampled } = model.data.coverage ?? {};
+    const samples = figures && sampled ? new SampleCloud(sampled, figures) : undefined;
+    this.content = { structure, samples, pieces, routes, drones, picker: new Picker(pieces) };
+    this.scene.add(structure.group, pieces.mesh, routes.mesh, drones.group, ...(samples ? [samples.points] : []));
     this.camera.setOutline(structure.outline);
     this.setTheme(dark);
     this.resize();
@@ -57,9 +62,9 @@ export class SceneView {
 
   private clear(): void {
     if (!this.content) return;
-    const { structure, pieces, routes, drones } = this.content;
-    this.scene.remove(structure.group, pieces.mesh, routes.mesh, drones.group);
-    for (const part of [structure, pieces, routes, drones]) part.dispose();
+    const { structure, samples, pieces, routes, drones } = this.content;
+    this.scene.remove(structure.group, pieces.mesh, routes.mesh, drones.group, ...(samples ? [samples.points] : []));
+    for (const part of [structure, samples, pieces, routes, drones]) part?.dispose();
     this.content = undefined;
   }
 
@@ -81,13 +86,16 @@ export class SceneView {
     this.overlay.width = Math.round(width * pixel);
     this.overlay.height = Math.round(height * pixel);
     this.camera.setAspect(this.size.width / this.size.height);
+    this.content?.samples?.setScreen(this.camera.unit(this.size.height), pixel);
     for (const lines of [this.content?.pieces, this.content?.routes])
       lines?.setScreen(this.size.width * pixel, this.size.height * pixel, pixel);
   }
 
   render(now: Snapshot): void {
     if (!this.content || !this.model) return;
-    const { routes, drones } = this.content;
+    const { structure, samples, routes, drones } = this.content;
+    structure.veil(now.colouring !== 'plain');
+    samples?.paint(now.colouring, now.only, now.dark, tonesOf(now.dark).background);
     this.paintPieces(now);
     this.paintRoutes(now);
     routes.setNow(now.flight_s);
@@ -105,19 +113,20 @@ export class SceneView {
   private paintPieces(now: Snapshot): void {
     const { pieces } = this.content!;
     const background = tonesOf(now.dark).background;
+    const aside = now.track === 'mission' || now.colouring !== 'plain';
     for (let slot = 0; slot < now.owners.length; slot++) {
       const owner = now.owners[slot];
       const nobody = this.model!.agentSlot(owner) < 0;
       const chosen = slot === now.slot, pointed = slot === now.hover;
       const faint = now.agent !== null && now.agent !== owner && !chosen;
       const hatched = now.disputed[slot] === 1;
-      const key = `${owner} ${hatched} ${chosen} ${pointed} ${faint} ${now.track}`;
+      const key = `${owner} ${hatched} ${chosen} ${pointed} ${faint} ${aside}`;
       if (this.painted[slot] === key) continue;
       this.painted[slot] = key;
       const look = nobody ? nobodysLook(now.dark) : lookOf(this.model!.agentSlot(owner), now.dark);
-      // While drones fly, what they have flown stands out.
-      const fade = faint ? 0.78 : now.track === 'mission' && !chosen ? 0.55 : 0;
-      const usual = now.track === 'mission' ? 0.5 : nobody ? 0.6 : 1;
+      // While drones fly, what they have flown stands out; colours of the structure do, while it has them.
+      const fade = faint ? 0.78 : aside && !chosen ? 0.55 : 0;
+      const usual = aside ? 0.5 : nobody ? 0.6 : 1;
       pieces.paint(slot, {
         rgb: mixed(look.rgb, background, fade), pattern: look.pattern, hatched, width: chosen ? 2.4 : pointed ? 1.7 : usual,
       });
@@ -153,5 +162,13 @@ export class SceneView {
   /** The piece at a point of the canvas, by its place in the list of tasks; -1: none. */
   pieceAt(x: number, y: number): number {
     return this.content?.picker.at(this.camera.camera, x, y, this.size.width, this.size.height) ?? -1;
+  }
+
+  /** The agent whose nearest place to the structure is at a point of the canvas. */
+  markAt(x: number, y: number, now: Snapshot): number | undefined {
+    if (!this.model) return undefined;
+    const gap = (at: { x: number; y: number }): number => Math.hypot(at.x - x, at.y - y);
+    const marks = shownMarks(this.model, now, (at) => this.project(at)).filter(({ at }) => gap(at) <= MARK_REACH_PX);
+    return marks.sort((a, b) => gap(a.at) - gap(b.at))[0]?.agent;
   }
 }

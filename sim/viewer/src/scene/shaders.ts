@@ -66,3 +66,28 @@ void main() {
   gl_FragColor = vec4(colour, 1.0);
 }
 `;
+
+// Points that have a side: from behind they are not seen.
+
+export const sampleVertex = /* glsl */ `
+attribute vec3 aNormal;
+attribute vec2 aPlaces;            // in the legend of coverage and in that of redundancy
+uniform vec3 uColours[8];
+uniform float uByBin, uShift, uSize, uPerMetre, uPixel;
+varying vec3 vColour;
+
+void main() {
+  vec4 eye = modelViewMatrix * vec4(position + uShift * aNormal, 1.0);
+  vec3 towards = normalize(normalMatrix * aNormal);
+  float facing = -dot(towards, normalize(eye.xyz));
+  gl_Position = facing < 0.0 ? vec4(0.0, 0.0, 2.0, 1.0) : projectionMatrix * eye;
+  gl_PointSize = max(uSize * uPerMetre / max(-eye.z, 1e-6), 1.5 * uPixel);
+  // A little shade tells form; the legend's colour stays what it is.
+  vColour = uColours[int(mix(aPlaces.x, aPlaces.y, uByBin) + 0.5)] * (0.86 + 0.14 * facing);
+}
+`;
+
+export const sampleFragment = /* glsl */ `
+varying vec3 vColour;
+void main() { gl_FragColor = vec4(vColour, 1.0); }
+`;

@@ -31,6 +31,7 @@ export class Structure {
   readonly bounds: THREE.Box3;
   private solid: THREE.Points | THREE.Mesh | undefined;
   private grid: THREE.LineSegments | undefined;
+  private veiled = false;
 
   constructor(private readonly data: RunData) {
     this.points = floatsOf(data.structure.points);
@@ -46,7 +47,7 @@ export class Structure {
     const triangles = trianglesOf(this.data.structure.triangles, this.points.length / 3);
     if (triangles.length > 0) {
       geometry.setIndex(new THREE.BufferAttribute(triangles, 1));
-      const material = new THREE.MeshLambertMaterial({ color: tones.high, flatShading: true, side: THREE.DoubleSide });
+      const material = new THREE.MeshLambertMaterial({ color: tones.high, flatShading: true, side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 2 });
       this.solid = new THREE.Mesh(geometry, material);
     } else if (this.points.length > 0) {
       geometry.setAttribute('color', new THREE.BufferAttribute(this.shades(tones), 3));
@@ -54,8 +55,15 @@ export class Structure {
       this.solid = new THREE.Points(geometry, material);
     }
     if (this.solid) this.group.add(this.solid);
+    this.veil(this.veiled);
     this.grid = this.makeGrid(tones);
     this.group.add(this.grid);
+  }
+
+  /** Samples stand for a cloud; a mesh stays, for it hides those behind it. */
+  veil(veiled: boolean): void {
+    this.veiled = veiled;
+    if (this.solid instanceof THREE.Points) this.solid.visible = !veiled;
   }
 
   /** Higher is lighter: the one cue of form that a bare cloud has. */
