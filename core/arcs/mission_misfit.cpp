@@ -27,6 +27,12 @@ bool is_arc(const Arc& arc, std::size_t position) {
   return true;
 }
 
+/// Whether an access begins on an arc of the mission; the rest of an airspace is unsound()'s.
+bool is_access(const Access& access, const std::vector<Arc>& arcs) {
+  return access.arc.value < arcs.size() &&
+         access.waypoint < arcs[access.arc.value].waypoints.size() && access.points.size() >= 2;
+}
+
 std::optional<std::string> misfit(const AuctionSettings& auction) {
   constexpr std::uint32_t most_tasks = 100'000;
   if (auction.max_tasks == 0 || auction.max_tasks > most_tasks)
@@ -46,6 +52,10 @@ std::optional<std::string> misfit(const AuctionSettings& auction) {
 std::optional<std::string> misfit(const Mission& mission) {
   for (std::size_t m = 0; m < mission.arcs.size(); ++m)
     if (!is_arc(mission.arcs[m], m)) return fmt::format("arc {} is no line of waypoints", m);
+  for (const Access& access : mission.airspace.accesses)
+    if (!is_access(access, mission.arcs))
+      return fmt::format("an access of its airspace leads to no waypoint of arc {}",
+                         access.arc.value);
   const auto& fleet = mission.fleet;
   for (std::size_t k = 0; k < fleet.size(); ++k) {
     const bool ascends = fleet[k].id > (k > 0 ? fleet[k - 1].id : AgentId{0});

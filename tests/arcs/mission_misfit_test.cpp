@@ -39,6 +39,16 @@ TEST(MisfitMission, NamesWhatCannotBe) {
             "agent 2 of its fleet is none");
   EXPECT_EQ(problem([](Mission& m) { m.arcs[0].waypoints[1].look.z() = NAN; }), no_line);
   EXPECT_EQ(problem([](Mission& m) { m.fleet.clear(); }), "it has no arcs or no fleet");
+  const std::vector<Vec3> way{{0, 0, 0}, {0, 1, 0}};
+  EXPECT_EQ(problem([&](Mission& m) { m.airspace.accesses = {{{0}, 1, way}}; }), "");
+  EXPECT_EQ(problem([&](Mission& m) {
+              m.airspace.accesses = {{{1}, 0, way}};
+            }),
+            "an access of its airspace leads to no waypoint of arc 1");
+  EXPECT_EQ(problem([&](Mission& m) {
+              m.airspace.accesses = {{{0}, 2, way}};
+            }),
+            "an access of its airspace leads to no waypoint of arc 0");
   EXPECT_EQ(problem([](Mission& m) { m.auction.max_tasks = 1 << 30; }), "max_tasks is 1073741824");
   EXPECT_EQ(problem([](Mission& m) { m.auction.split_m = -1; }), "split_m is -1");
   EXPECT_EQ(problem([](Mission& m) { m.auction.split_m = INFINITY; }), "split_m is inf");
