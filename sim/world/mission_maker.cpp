@@ -72,8 +72,13 @@ std::vector<Arc> make_arcs(std::uint32_t tasks, double piece_m, Layout layout, P
 Mission make_mission(const WorldSettings& settings, std::uint64_t seed, Dice& dice) {
   const Layout layout = any_of_these(settings.layouts, dice);
   Places places(layout, dice);
-  Mission mission{
-      .id = seed, .name = settings.name, .arcs = {}, .fleet = {}, .auction = {}, .tour = {}};
+  Mission mission{.id = seed,
+                  .name = settings.name,
+                  .arcs = {},
+                  .fleet = {},
+                  .airspace = {},
+                  .auction = {},
+                  .tour = {}};
   const std::uint32_t tasks = dice.between(settings.tasks.least, settings.tasks.most);
   const double piece_m = layout == Layout::grid ? grid_m : dice.within(4, 20);
   mission.arcs = make_arcs(tasks, piece_m, layout, places, dice);

@@ -17,8 +17,13 @@ double Dice::unit() {
 Mission random_mission(std::uint64_t seed, std::uint32_t agents, std::uint32_t arcs) {
   Dice dice(seed);
   const auto point = [&] { return Vec3(100 * dice.unit(), 100 * dice.unit(), 30 * dice.unit()); };
-  Mission mission{
-      .id = seed + 1, .name = "random", .arcs = {}, .fleet = {}, .auction = {}, .tour = {}};
+  Mission mission{.id = seed + 1,
+                  .name = "random",
+                  .arcs = {},
+                  .fleet = {},
+                  .airspace = {},
+                  .auction = {},
+                  .tour = {}};
   for (std::uint32_t m = 0; m < arcs; ++m) {
     const Vec3 start = point();
     const Vec3 along = Vec3(dice.unit() - 0.5, dice.unit() - 0.5, 0.1).normalized();
