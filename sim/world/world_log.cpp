@@ -8,8 +8,8 @@
 #include "core/base/error.hpp"
 #include "core/io/faults/fault_files.hpp"
 #include "core/io/run/run_files.hpp"
-#include "sim/launcher/fault_script.hpp"
 #include "core/route/make_transit.hpp"
+#include "sim/launcher/fault_script.hpp"
 
 namespace arcbid {
 
@@ -60,6 +60,7 @@ void WorldLog::stepped(std::uint32_t number, TimeNs now_ns, const Event& event,
   if (std::holds_alternative<RoutePublished>(event.what)) plan(life, now_ns);
   life.log->step(now_ns, {event, update});
   life.log->commit_if_due(now_ns);
+  if (update.agreement_lost) life.agreement.reset();
   if (update.agreed) life.agreement = update.agreed;
 }
 
@@ -67,8 +68,11 @@ void WorldLog::met_fate(std::uint32_t life, TimeNs now_ns, const Header& header,
   lives_.at(life)->log->fate(now_ns, header, fate.arrivals_ns);
 }
 
-void WorldLog::outlived(std::uint32_t life, TimeNs now_ns) {
-  lives_.at(life)->log->write(now_ns, log_kind::end, {{"by", "world"}});
+/// A world may end with the last proof, before the last routes are published in it.
+void WorldLog::outlived(std::uint32_t number, TimeNs now_ns) {
+  Life& life = *lives_.at(number);
+  plan(life, now_ns);
+  life.log->write(now_ns, log_kind::end, {{"by", "world"}});
 }
 
 /// In the world a route is published at once; on record it stands as it would be flown.

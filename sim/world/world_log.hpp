@@ -24,7 +24,7 @@ class WorldLog final : public WorldObserver {
   void stepped(std::uint32_t life, TimeNs now_ns, const Event& event,
                const Update& update) override;
   void met_fate(std::uint32_t life, TimeNs now_ns, const Header& header, const Fate& fate) override;
-  void outlived(std::uint32_t life, TimeNs now_ns) override;
+  void outlived(std::uint32_t number, TimeNs now_ns) override;
   /// How it ended; the last thing.
   void write_result(const WorldResult& result);
 
