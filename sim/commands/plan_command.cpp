@@ -106,7 +106,10 @@ PlanCommand::PlanCommand(CLI::App& app)
       ->check(CLI::IsMember({"m", "cm", "mm", "ft", "us-ft", "in"}));
   command_->add_option("--up", up_, "axis that points up in that file: x, y, z")
       ->check(CLI::IsMember({"x", "y", "z"}));
-  command_->add_option("--config", config_, "YAML file; docs/CONFIG.md has every key")
+  command_
+      ->add_option("--config", config_,
+                   "YAML file; docs/CONFIG.md has every key (default: its defaults, pieces of "
+                   "10 m)")
       ->check(CLI::ExistingFile);
   command_->add_option("--agents", agents_, "fleet size instead of the config's (default: 4)")
       ->type_name("N")
@@ -119,6 +122,8 @@ PlanCommand::PlanCommand(CLI::App& app)
 
 Config PlanCommand::config() const {
   Config config;
+  // The shortest arc, which eq. 4 has for a piece, can be a metre among what fills gaps.
+  config.auction.split_m = 10;
   if (!config_.empty()) config = load_config(config_);
   if (!structure_.empty()) config.structure.file = std::filesystem::absolute(structure_);
   if (!config.structure.file && !(unit_.empty() && up_.empty()))
