@@ -14,17 +14,16 @@ using ::testing::HasSubstr;
 
 constexpr double limit_s = 100;
 
-/// Plans and gives the certificate; whether the routes keep clear is what the certificate says.
+/// Plans and gives the certificate.
 json planned(const std::vector<std::string>& arguments, const std::filesystem::path& out) {
   std::vector<std::string> all{"plan"};
   all.insert(all.end(), arguments.begin(), arguments.end());
   all.insert(all.end(), {"--out", out.string()});
   Launched plan(all);
-  const auto exit = plan.wait_for_end(limit_s);
+  EXPECT_EQ(plan.wait_for_end(limit_s), 0) << plan.output();
   const json certificate = read_json(out / "certificate.json");
   EXPECT_TRUE(certificate.is_object()) << plan.output();
-  if (certificate.is_object())
-    EXPECT_EQ(exit, certificate["keeps_clear"].get<bool>() ? 0 : 1) << plan.output();
+  EXPECT_EQ(certificate.value("keeps_clear", false), true);
   EXPECT_THAT(plan.output(), HasSubstr("coverage"));
   return certificate;
 }
@@ -33,7 +32,7 @@ TEST(Plan, OfTheBuiltInBridgeIsARunDirectory) {
   const Scratch scratch;
   const auto out = scratch / "plan";
   const json certificate = planned({}, out);
-  EXPECT_GT(certificate["coverage_of_visible"], 0.9);
+  EXPECT_GE(certificate["coverage_of_visible"], 0.999);
   EXPECT_GT(certificate["surface_samples"], 10000);
   EXPECT_EQ(certificate["safety_m"], 2.0);
   expect_checked(read_json(out / "result.json"), 4);
@@ -101,7 +100,7 @@ TEST(Plan, OfATruss) {
   if (!std::filesystem::exists(truss)) GTEST_SKIP() << truss << " is not here";
   const Scratch scratch;
   const json certificate = planned({truss}, scratch / "plan");
-  EXPECT_GT(certificate["coverage_of_visible"], 0.8);
+  EXPECT_GE(certificate["coverage_of_visible"], 0.995);
   EXPECT_GT(certificate["visible_samples"], 20000);
 }
 
