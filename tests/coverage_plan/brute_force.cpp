@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <boost/random/uniform_real_distribution.hpp>
 #include <cmath>
 #include <numbers>
 #include <queue>
@@ -67,7 +68,7 @@ bool BruteForce::hidden(const Vec3& from, const Vec3& to) const {
 
 std::vector<BruteForce::Sample> BruteForce::samples(std::uint32_t seed) const {
   std::mt19937 random(seed);
-  std::uniform_real_distribution<double> uniform(0, 1);
+  boost::random::uniform_real_distribution<double> uniform(0, 1);
   std::vector<Sample> all;
   for (const auto& [ia, ib, ic] : mesh_.triangles) {
     const Vec3 &a = mesh_.points[ia], ab = mesh_.points[ib] - a, ac = mesh_.points[ic] - a;

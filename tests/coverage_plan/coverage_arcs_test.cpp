@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <boost/random/uniform_real_distribution.hpp>
 #include <random>
 
 #include "core/coverage/flyable.hpp"
@@ -93,7 +94,7 @@ TEST(CoverageArcs, OfPointsOnALineKeepTheirDistance) {
 
 TEST(Scene, KnowsHowFarACloudIs) {
   std::mt19937 random(9);
-  std::uniform_real_distribution<double> uniform(-10, 10);
+  boost::random::uniform_real_distribution<double> uniform(-10, 10);
   Structure cloud;
   for (int k = 0; k < 300; ++k)
     cloud.points.emplace_back(uniform(random), uniform(random), uniform(random));
@@ -114,7 +115,7 @@ TEST(Flyable, KnowsDistancesAndClosedRooms) {
   const Flyable flyable(scene, surface, {2.0, -6, 8.0}, 2);
   const BruteForce brute(mesh, {});
   std::mt19937 random(3);
-  std::uniform_real_distribution<double> uniform(-13, 13);
+  boost::random::uniform_real_distribution<double> uniform(-13, 13);
   for (int k = 0; k < 500; ++k) {
     const Vec3 p(uniform(random), uniform(random), uniform(random));
     EXPECT_NEAR(scene.distance_m(p, 30), brute.distance_m(p + surface.origin_m), 1e-9);
