@@ -36,6 +36,17 @@ double raise(const std::vector<double>& lengths_m, double piece_m, std::size_t l
   return high;
 }
 
+/// Of the arcs that fill gaps only where there are no others: where one view is all that is missed
+/// they are lines too short to cut everything else by.
+double shortest_m(const std::vector<Arc>& arcs, const std::vector<double>& lengths_m) {
+  double of_gaps_m = std::numeric_limits<double>::infinity(), of_others_m = of_gaps_m;
+  for (std::size_t m = 0; m < arcs.size(); ++m) {
+    double& least_m = arcs[m].kind == ArcKind::gap ? of_gaps_m : of_others_m;
+    least_m = std::min(least_m, lengths_m[m]);
+  }
+  return std::isfinite(of_others_m) ? of_others_m : of_gaps_m;
+}
+
 void cut_arc(const Arc& arc, double length_m, double piece_m, std::vector<Task>& tasks) {
   const std::size_t count = pieces_of(length_m, piece_m);
   for (std::size_t k = 0; k < count; ++k) {
@@ -67,8 +78,7 @@ TaskSet split(const std::vector<Arc>& arcs, std::optional<double> split_m,
   for (const Arc& arc : arcs) lengths_m.push_back(length_m(arc.waypoints));
   if (!arcs.empty()) {
     const double asked_m =
-        std::max(split_m.value_or(*std::min_element(lengths_m.begin(), lengths_m.end())),
-                 10 * least_piece_m);
+        std::max(split_m ? *split_m : shortest_m(arcs, lengths_m), 10 * least_piece_m);
     set.piece_m = asked_m;
     const std::size_t wanted = pieces_of(lengths_m, asked_m);
     const std::size_t limit = std::max<std::size_t>(max_tasks, arcs.size());

@@ -35,9 +35,10 @@ struct TaskSet {
 };
 
 /// Eq. (4): cuts every arc into pieces of the shortest arc's length (or `split_m`), the remainder
-/// being the last piece. A remainder below 1 mm stays with the piece before it. Where that makes
-/// more than `max_tasks` pieces the length is raised until it does not, with a warning; where the
-/// arcs alone are more, they stay whole.
+/// being the last piece. Arcs that fill gaps count as the shortest only where there are no others.
+/// A remainder below 1 mm stays with the piece before it. Where that makes more than `max_tasks`
+/// pieces the length is raised until it does not, with a warning; where the arcs alone are more,
+/// they stay whole.
 TaskSet split(const std::vector<Arc>& arcs, std::optional<double> split_m, std::uint32_t max_tasks);
 
 /// A stretch of one arc, won as a whole.

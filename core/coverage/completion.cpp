@@ -8,19 +8,13 @@
 
 #include "core/coverage/chains.hpp"
 #include "core/coverage/parallel.hpp"
-#include "core/coverage/visibility.hpp"
 
 namespace arcbid {
 
 namespace {
 
-constexpr double kSample_m = 0.3;  // or less where a small stand-off shows more of the surface
 constexpr int kMostRounds = 4;
-constexpr double kGoal = 0.9995, kCameraGoal = 0.998;  // of what fresh samples' arcs must cover
-
-double sample_m(const CoverageSettings& s) {
-  return std::min(kSample_m, s.sensor.range_m / 8);
-}
+constexpr double kGoal = 0.9992, kCameraGoal = 0.997;  // what arcs must cover of fresh samples
 
 double sum_m(const std::vector<Arc>& arcs) {
   double sum = 0;
@@ -38,6 +32,17 @@ void append(std::vector<Arc>& arcs, std::vector<Arc> more) {
   std::move(more.begin(), more.end(), std::back_inserter(arcs));
 }
 
+TrimLimits trim_limits(const CoverageSettings& s) {
+  return {s.spacing_m / 4, 3 * s.spacing_m};
+}
+
+/// What the same arcs see of other samples, whose numbers are `first` more.
+void add_seen(std::vector<SeenArc>& arcs, const std::vector<SeenArc>& more, std::uint32_t first) {
+  for (std::size_t a = 0; a < arcs.size(); ++a)
+    for (std::size_t k = 0; k < arcs[a].seen.size(); ++k)
+      for (const std::uint32_t s : more[a].seen[k]) arcs[a].seen[k].push_back(first + s);
+}
+
 }  // namespace
 
 Completion::Completion(const Structure& structure, const std::vector<Vec3>& ground, double ground_m,
@@ -51,35 +56,11 @@ Completion::Completion(const Structure& structure, const std::vector<Vec3>& grou
                 std::max(settings.sensor.range_m, settings.standoff_m + settings.safety_m)},
                threads_) {}
 
-struct Completion::Round {
-  Samples samples;
-  Seer seer;
-  Visibility visibility;
-  std::vector<Wanted> wanted;
-  std::vector<bool> covered;
-  Gap gap;
-
-  Round(const Completion& c, std::uint64_t seed)
-      : samples(sided_samples(c.surface_, sample_m(c.settings_), seed)),
-        seer(c.scene_, c.surface_, samples, c.settings_.sensor),
-        visibility(seer, c.flyable_, c.settings_.safety_m),
-        wanted(samples.size(), Wanted::no),
-        covered(samples.size()) {
-    const std::vector<bool> open = visibility.open(c.threads_);
-    for (std::size_t s = 0; s < open.size(); ++s)
-      if (open[s]) wanted[s] = Wanted::narrow;
-  }
-  Round(const Round&) = delete;
-
-  void mark_covered(const std::vector<SeenArc>& looked) {
-    for (const SeenArc& arc : looked)
-      for (const Seen& seen : arc.seen)
-        for (const std::uint32_t s : seen) covered[s] = true;
-  }
-  std::size_t count_covered() const {
-    return static_cast<std::size_t>(std::count(covered.begin(), covered.end(), true));
-  }
-};
+Round& Completion::new_round(std::uint64_t seed) {
+  rounds_.push_back(
+      std::make_unique<Round>(scene_, surface_, flyable_, outlook_, settings_, threads_, seed));
+  return *rounds_.back();
+}
 
 /// A place inside a closed shell keeps its distance too, but nobody gets there.
 void Completion::drop_unreachable(std::vector<Arc>& arcs) {
@@ -89,36 +70,6 @@ void Completion::drop_unreachable(std::vector<Arc>& arcs) {
     unreachable_m_ += length_m(arc.waypoints);
     return true;
   });
-}
-
-/// Of what the arcs do not cover: what can be seen, and by which sensor. What only the nominal one
-/// can see is then asked of the arcs too, and noted with them.
-void Completion::judge(Round& round, std::vector<SeenArc>& looked) const {
-  round.mark_covered(looked);
-  Seen rest;
-  for (std::uint32_t s = 0; s < round.covered.size(); ++s)
-    if (round.wanted[s] != Wanted::no && !round.covered[s]) rest.push_back(s);
-  const auto witnesses = round.visibility.witnesses(rest, threads_);
-  std::vector<Wanted> nominal(round.wanted.size(), Wanted::no);
-  for (std::size_t k = 0; k < rest.size(); ++k) {
-    round.wanted[rest[k]] = witnesses[k].how;
-    if (witnesses[k].how == Wanted::nominal) nominal[rest[k]] = Wanted::nominal;
-  }
-  std::vector<Arc> arcs;
-  for (const SeenArc& arc : looked) arcs.push_back(arc.arc);
-  const std::vector<SeenArc> again = look_along(round.seer, std::move(arcs), nominal, threads_);
-  round.mark_covered(again);
-  for (std::size_t a = 0; a < looked.size(); ++a)
-    for (std::size_t k = 0; k < looked[a].seen.size(); ++k)
-      looked[a].seen[k].insert(looked[a].seen[k].end(), again[a].seen[k].begin(),
-                               again[a].seen[k].end());
-  round.gap.wanted.assign(round.wanted.size(), Wanted::no);
-  for (std::size_t k = 0; k < rest.size(); ++k) {
-    if (round.covered[rest[k]] || witnesses[k].how == Wanted::no) continue;
-    round.gap.wanted[rest[k]] = witnesses[k].how;
-    round.gap.samples.push_back(rest[k]);
-    round.gap.witnesses.push_back(witnesses[k]);
-  }
 }
 
 std::vector<Arc> Completion::filling(const Round& round) {
@@ -132,9 +83,14 @@ std::vector<Arc> Completion::filling(const Round& round) {
 }
 
 std::vector<Arc> Completion::first_round(std::vector<Arc> arcs, PlannedCoverage& planned) {
-  Round round(*this, settings_.seed);
-  std::vector<SeenArc> looked = look_along(round.seer, std::move(arcs), round.wanted, threads_);
-  judge(round, looked);
+  Round& round = new_round(settings_.seed);
+  std::vector<SeenArc> looked = look_along(round.seer, arcs, round.wanted, threads_);
+  round.mark_covered(looked);
+  const std::vector<SeenArc> again =
+      look_along(round.seer, std::move(arcs), round.judge(outlook_, threads_), threads_);
+  round.mark_covered(again);
+  add_seen(looked, again, 0);
+  round.find_gap();
   planned.samples = round.samples.size();
   planned.covered_by_base = round.count_covered();
   planned.visible = planned.covered_by_base + round.gap.samples.size();
@@ -149,8 +105,7 @@ std::vector<Arc> Completion::first_round(std::vector<Arc> arcs, PlannedCoverage&
   if (!settings_.trim)
     for (SeenArc& arc : looked) all.push_back(std::move(arc.arc));
   else
-    all = trimmed(std::move(looked), round.samples.size(),
-                  {settings_.spacing_m / 4, 3 * settings_.spacing_m});
+    all = trimmed(std::move(looked), round.samples.size(), trim_limits(settings_));
   return all;
 }
 
@@ -158,13 +113,37 @@ std::vector<Arc> Completion::first_round(std::vector<Arc> arcs, PlannedCoverage&
 void Completion::further_rounds(std::vector<Arc>& arcs) {
   const double goal = settings_.sensor.kind == SensorKind::camera ? kCameraGoal : kGoal;
   for (int k = 1; k < kMostRounds; ++k) {
-    Round round(*this, settings_.seed + static_cast<std::uint64_t>(k) * 1'000'003);
-    std::vector<SeenArc> looked = look_along(round.seer, arcs, round.wanted, threads_);
-    judge(round, looked);
+    Round& round = new_round(settings_.seed + static_cast<std::uint64_t>(k) * 1'000'003);
+    round.mark_covered(seen_along(round.seer, arcs, round.wanted, threads_));
+    round.mark_covered(seen_along(round.seer, arcs, round.judge(outlook_, threads_), threads_));
+    round.find_gap();
     append(arcs, filling(round));
     const auto covered = static_cast<double>(round.count_covered());
     if (covered >= goal * (covered + static_cast<double>(round.gap.samples.size()))) return;
   }
+}
+
+/// Of the arcs that fill gaps, what samples of no round need: those of one round often serve
+/// another's.
+std::vector<Arc> Completion::without_spare_gaps(std::vector<Arc> arcs) const {
+  const auto gaps = std::stable_partition(arcs.begin(), arcs.end(),
+                                          [](const Arc& a) { return a.kind != ArcKind::gap; });
+  const std::vector<Arc> fillers(gaps, arcs.end());
+  arcs.erase(gaps, arcs.end());
+  std::vector<SeenArc> looked;
+  std::uint32_t samples = 0;
+  for (const std::unique_ptr<Round>& round : rounds_) {
+    const std::vector<bool> others = seen_along(round->seer, arcs, round->wanted, threads_);
+    std::vector<SeenArc> seen =
+        look_along(round->seer, fillers, round->wanted_without(others), threads_);
+    if (looked.empty())
+      looked = std::move(seen);
+    else
+      add_seen(looked, seen, samples);
+    samples += static_cast<std::uint32_t>(round->samples.size());
+  }
+  append(arcs, trimmed(std::move(looked), samples, trim_limits(settings_)));
+  return arcs;
 }
 
 void Completion::say_what_is_lost(std::vector<std::string>& warnings) const {
@@ -183,7 +162,8 @@ void Completion::run(ArcPlan& plan) {
   arcs = first_round(std::move(arcs), plan.planned);
   if (settings_.fill) further_rounds(arcs);
   if (settings_.trim)
-    arcs = joined_ends(std::move(arcs), flyable_, {settings_.spacing_m, 30 * settings_.spacing_m});
+    arcs = joined_ends(without_spare_gaps(std::move(arcs)), flyable_,
+                       {settings_.spacing_m, 30 * settings_.spacing_m});
   plan.planned.planned_m = sum_m(arcs);
   plan.arcs = in_frame(std::move(arcs), surface_.origin_m);
   for (std::size_t a = 0; a < plan.arcs.size(); ++a)

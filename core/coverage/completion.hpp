@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "core/coverage/flyable.hpp"
-#include "core/coverage/gaps.hpp"
+#include "core/coverage/round.hpp"
 #include "core/coverage/trim.hpp"
 #include "core/structure/bridge_arcs.hpp"
 
@@ -22,13 +22,12 @@ class Completion {
   void run(ArcPlan& plan);
 
  private:
-  /// Samples drawn with one seed, and how arcs do on them.
-  struct Round;
   void drop_unreachable(std::vector<Arc>& arcs);
-  void judge(Round& round, std::vector<SeenArc>& looked) const;
+  Round& new_round(std::uint64_t seed);
   std::vector<Arc> filling(const Round& round);
   std::vector<Arc> first_round(std::vector<Arc> arcs, PlannedCoverage& planned);
   void further_rounds(std::vector<Arc>& arcs);
+  std::vector<Arc> without_spare_gaps(std::vector<Arc> arcs) const;
   void say_what_is_lost(std::vector<std::string>& warnings) const;
 
   const CoverageSettings& settings_;
@@ -36,6 +35,8 @@ class Completion {
   Surface surface_;
   Scene scene_;
   Flyable flyable_;
+  Outlook outlook_;
+  std::vector<std::unique_ptr<Round>> rounds_;
   std::size_t lost_views_ = 0;
   double unreachable_m_ = 0;
 };

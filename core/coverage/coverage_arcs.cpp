@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/coverage/completion.hpp"
+#include "core/structure/base_arcs.hpp"
 #include "core/structure/ground.hpp"
 #include "core/structure/validate.hpp"
 
@@ -36,7 +37,7 @@ ArcPlan coverage_arcs(const Structure& structure, const CoverageSettings& settin
   const Structure& inspected = grounded ? grounded->structure : structure;
   const CoverageSettings how = grounded ? above(*grounded, settings) : settings;
 
-  ArcPlan plan = bridge_arcs(inspected, how);
+  ArcPlan plan = base_arcs(inspected, how);
   if (grounded)
     plan.warnings.push_back(
         fmt::format("{} of {} points are the ground at z = {:.2f} m: in the way, but not inspected "
@@ -45,6 +46,7 @@ ArcPlan coverage_arcs(const Structure& structure, const CoverageSettings& settin
   Completion(inspected, grounded ? grounded->ground : std::vector<Vec3>{},
              how.ground_m.value_or(plan.low_m.z()), how)
       .run(plan);
+  require_arcs(plan, how);
   return plan;
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/uniform_01.hpp>
 #include <cmath>
@@ -12,7 +13,7 @@ namespace arcbid {
 namespace {
 
 constexpr double kMostPlaces = 5e6;
-constexpr double kSortCell_m = 2.0;
+constexpr double kSortCell_m = 0.25;
 
 /// Places and normals, before they get sides.
 struct Places {
@@ -66,6 +67,35 @@ Places places_on_cloud(const Surface& s, double spacing_m, std::uint64_t seed) {
   return places;
 }
 
+/// Every third bit, from the lowest of 21.
+std::uint64_t spread(std::uint64_t x) {
+  x &= 0x1FFFFF;
+  x = (x | x << 32) & 0x1F00000000FFFF;
+  x = (x | x << 16) & 0x1F0000FF0000FF;
+  x = (x | x << 8) & 0x100F00F00F00F00F;
+  x = (x | x << 4) & 0x10C30C30C30C30C3;
+  return (x | x << 2) & 0x1249249249249249;
+}
+
+/// Along a Z curve: what is looked at together then also stands together, in packets of rays and in
+/// boxes around them.
+std::vector<std::uint32_t> near_order(const std::vector<Vec3>& points) {
+  Vec3 low = points.front();
+  for (const Vec3& p : points) low = low.cwiseMin(p);
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> keys;
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    const Vec3 cell = (points[i] - low) / kSortCell_m;
+    std::uint64_t key = 0;
+    for (int axis = 0; axis < 3; ++axis)
+      key |= spread(static_cast<std::uint64_t>(cell[axis])) << axis;
+    keys.emplace_back(key, i);
+  }
+  std::sort(keys.begin(), keys.end());
+  std::vector<std::uint32_t> order;
+  for (const auto& [key, i] : keys) order.push_back(i);
+  return order;
+}
+
 }  // namespace
 
 Samples sided_samples(const Surface& surface, double spacing_m, std::uint64_t seed) {
@@ -73,7 +103,7 @@ Samples sided_samples(const Surface& surface, double spacing_m, std::uint64_t se
                                           : places_on_cloud(surface, spacing_m, seed);
   Samples samples;
   if (places.points.empty()) return samples;
-  for (const std::uint32_t i : group(places.points, kSortCell_m, CellShape::voxel).order)
+  for (const std::uint32_t i : near_order(places.points))
     for (const float side : {1.0F, -1.0F}) {
       samples.points.push_back(places.points[i].cast<float>());
       samples.normals.push_back(side * places.normals[i]);

@@ -8,6 +8,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/coverage/parallel.hpp"
 #include "core/structure/voxels.hpp"
@@ -19,8 +20,11 @@ namespace {
 constexpr float kMeshLift_m = 0.01F;  // far less than any member is thick
 constexpr double kSurfel_m = 0.15;    // between surfels where the cloud is dense
 constexpr std::size_t kMostSurfels = 600'000;
-constexpr int kNeighbours = 16;          // that give a normal
-constexpr std::size_t kSpacingRank = 6;  // in a square lattice: the diagonal neighbour
+constexpr int kNeighbours = 16;            // that give a normal
+constexpr std::size_t kSpacingRank = 6;    // in a square lattice: the diagonal neighbour
+constexpr int kWays = 16;                  // in which the neighbours must meet a disc
+constexpr float kOverlap = 1.5F;           // corners lie between the directions that are tried
+constexpr float kEnd = 1.5F, kRim = 0.6F;  // of the spacing: beyond the first the surface ends
 
 /// The direction in which the points spread least; of a line, any across it.
 Vec3f normal_of(const std::vector<Vec3f>& points) {
@@ -32,6 +36,26 @@ Vec3f normal_of(const std::vector<Vec3f>& points) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver(spread);
   const Vec3f n = solver.eigenvectors().col(0);
   return n.allFinite() && n.norm() > 0.5F ? Vec3f(n.normalized()) : Vec3f::UnitZ();
+}
+
+/// How far a disc must reach so that it and its neighbours' leave no hole: to the farthest corner
+/// of the part of the plane that is nearer to it than to any neighbour. Where neighbours are far
+/// the surface ends.
+float closing_m(const std::vector<Vec3f>& around, const Vec3f& normal, float spacing_m) {
+  const Vec3f x = normal.unitOrthogonal(), y = normal.cross(x);
+  float most_m = 0;
+  for (int k = 0; k < kWays; ++k) {
+    const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(k) / kWays;
+    const Vec3f way = std::cos(angle) * x + std::sin(angle) * y;
+    float least_m = kEnd * spacing_m;
+    for (const Vec3f& p : around) {
+      const Vec3f to = p - around.front();
+      const float along = to.dot(way);
+      if (along > 0) least_m = std::min(least_m, to.squaredNorm() / (2 * along));
+    }
+    most_m = std::max(most_m, least_m < kEnd * spacing_m ? kOverlap * least_m : kRim * spacing_m);
+  }
+  return most_m;
 }
 
 std::vector<Vec3> thinned(const std::vector<Vec3>& points, double voxel_m, std::size_t most) {
@@ -61,7 +85,8 @@ std::vector<Surfel> surfels_of(const std::vector<Vec3>& points, unsigned threads
       for (const auto n : found)
         around.push_back((*cloud)[static_cast<std::size_t>(n)].getVector3fMap());
       const float rank_m = std::sqrt(squared_m2[std::min(kSpacingRank, squared_m2.size() - 1)]);
-      surfels[i] = {around.front(), normal_of(around), 0.6F * rank_m};
+      const Vec3f normal = normal_of(around);
+      surfels[i] = {around.front(), normal, closing_m(around, normal, rank_m)};
     }
   });
   return surfels;

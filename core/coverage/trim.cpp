@@ -11,6 +11,11 @@ namespace arcbid {
 namespace {
 
 constexpr double kStation_m = 1.0;
+/// Over all stations; together the passes take each once.
+struct Pass {
+  std::size_t first, stride;
+};
+constexpr Pass kPasses[] = {{0, 8}, {4, 8}, {2, 4}, {1, 2}};
 
 /// Keeps count of how many stations see each sample.
 class Trimmer {
@@ -101,6 +106,31 @@ std::vector<Stretch> without_middles(const SeenArc& arc, const Stretch& whole, T
 }
 
 }  // namespace
+
+std::vector<bool> seen_along(const Seer& seer, const std::vector<Arc>& arcs,
+                             std::vector<Wanted> wanted, unsigned threads) {
+  std::vector<Waypoint> places;
+  for (const Arc& arc : arcs) {
+    const std::vector<Waypoint> own = stations(arc.waypoints, kStation_m);
+    places.insert(places.end(), own.begin(), own.end());
+  }
+  std::vector<bool> covered(wanted.size());
+  // Few stations, far apart, see most.
+  for (const Pass& pass : kPasses) {
+    const std::size_t count = (places.size() + pass.stride - 1 - pass.first) / pass.stride;
+    std::vector<Seen> all(count);
+    for_chunks(count, 8, threads, [&](std::size_t from, std::size_t to) {
+      for (std::size_t k = from; k < to; ++k)
+        all[k] = seer.seen(places[pass.first + k * pass.stride], wanted);
+    });
+    for (const Seen& seen : all)
+      for (const std::uint32_t s : seen) {
+        covered[s] = true;
+        wanted[s] = Wanted::no;
+      }
+  }
+  return covered;
+}
 
 std::vector<SeenArc> look_along(const Seer& seer, std::vector<Arc> arcs,
                                 const std::vector<Wanted>& wanted, unsigned threads) {

@@ -19,6 +19,11 @@ struct SeenArc {
 std::vector<SeenArc> look_along(const Seer& seer, std::vector<Arc> arcs,
                                 const std::vector<Wanted>& wanted, unsigned threads);
 
+/// Which of the wanted samples are seen from any station. Less work than look_along: what has been
+/// seen from some stations is not asked of the others.
+std::vector<bool> seen_along(const Seer& seer, const std::vector<Arc>& arcs,
+                             std::vector<Wanted> wanted, unsigned threads);
+
 struct TrimLimits {
   double least_m;   ///< no arc becomes shorter
   double middle_m;  ///< a useless middle is cut out if it is at least that long

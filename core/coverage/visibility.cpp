@@ -12,8 +12,8 @@ namespace arcbid {
 namespace {
 
 constexpr std::size_t kDirections = 256;
-constexpr std::size_t kEscapes = 64;  // of them tried over the safety distance
-constexpr int kLattice = 4;           // cells between lattice positions
+constexpr std::size_t kEscapes = 64;    // of them tried over the safety distance
+constexpr int kLattice = 4, kFine = 2;  // cells between lattice positions
 constexpr std::size_t kRemembered = 8;
 constexpr float kNear_m = 0.5F;
 constexpr int kTries = 4;  // places along one direction
@@ -52,10 +52,11 @@ bool Visibility::is_open(std::uint32_t sample) const {
   return false;
 }
 
-std::vector<bool> Visibility::open(unsigned threads) const {
+std::vector<bool> Visibility::open(const std::vector<bool>& asked, unsigned threads) const {
   std::vector<std::uint8_t> found(seer_.samples().size());
   for_chunks(found.size(), 1024, threads, [&](std::size_t from, std::size_t to) {
-    for (std::size_t s = from; s < to; ++s) found[s] = is_open(static_cast<std::uint32_t>(s));
+    for (std::size_t s = from; s < to; ++s)
+      found[s] = asked[s] && is_open(static_cast<std::uint32_t>(s));
   });
   return {found.begin(), found.end()};
 }
@@ -97,19 +98,19 @@ void Visibility::try_places(std::uint32_t sample, const std::vector<Vec3>& place
   }
 }
 
-void Visibility::from_lattice(std::uint32_t sample, Witness& best) const {
+void Visibility::from_lattice(std::uint32_t sample, int step, Witness& best) const {
   const Vec3f &p = seer_.samples().points[sample], &n = seer_.samples().normals[sample];
-  const Optics& o = seer_.optics(Wanted::narrow);
-  const auto up = [](int i) { return (i + kLattice - 1) / kLattice * kLattice; };
+  const Optics& o = seer_.optics(Wanted::nominal);
+  const auto up = [step](int i) { return (i + step - 1) / step * step; };
   const Vec3 reach = Vec3::Constant(o.range_m());
   Flyable::Cell low = flyable_.cell_of(p.cast<double>() - reach);
   for (int& i : low) i = up(std::max(i, 0));
   const Flyable::Cell high = flyable_.cell_of(p.cast<double>() + reach);
   std::vector<Vec3> places;
   Flyable::Cell c;
-  for (c[2] = low[2]; c[2] <= high[2]; c[2] += kLattice)
-    for (c[1] = low[1]; c[1] <= high[1]; c[1] += kLattice)
-      for (c[0] = low[0]; c[0] <= high[0]; c[0] += kLattice)
+  for (c[2] = low[2]; c[2] <= high[2]; c[2] += step)
+    for (c[1] = low[1]; c[1] <= high[1]; c[1] += step)
+      for (c[0] = low[0]; c[0] <= high[0]; c[0] += step)
         if (flyable_.reached(c) && o.in_reach(flyable_.centre(c).cast<float>(), p, n))
           places.push_back(flyable_.centre(c));
   try_places(sample, places, best);
@@ -159,14 +160,14 @@ void Visibility::along_directions(std::uint32_t sample, std::size_t count, Witne
   }
 }
 
-/// All directions, or a quarter of them where a near sample that faces the same way had no luck.
+/// All directions, or an eighth of them where a near sample that faces the same way had no luck.
 std::size_t Visibility::directions_for(std::uint32_t sample, const Seen& hopeless) const {
   const Samples& all = seer_.samples();
   const bool doubtful = std::any_of(hopeless.begin(), hopeless.end(), [&](std::uint32_t other) {
     return (all.points[other] - all.points[sample]).squaredNorm() < kNear_m * kNear_m &&
            all.normals[other].dot(all.normals[sample]) > 0.9F;
   });
-  return doubtful ? kDirections / 4 : kDirections;
+  return doubtful ? kDirections / 8 : kDirections;
 }
 
 std::vector<Visibility::Witness> Visibility::witnesses(const Seen& samples,
@@ -177,7 +178,7 @@ std::vector<Visibility::Witness> Visibility::witnesses(const Seen& samples,
     Seen hopeless;
     for (std::size_t k = from; k < to; ++k) {
       try_places(samples[k], remembered, found[k]);
-      if (found[k].how != Wanted::narrow) from_lattice(samples[k], found[k]);
+      if (found[k].how != Wanted::narrow) from_lattice(samples[k], kLattice, found[k]);
       if (found[k].how != Wanted::narrow)
         along_directions(samples[k], directions_for(samples[k], hopeless), found[k]);
       if (found[k].how == Wanted::no) {
@@ -187,6 +188,15 @@ std::vector<Visibility::Witness> Visibility::witnesses(const Seen& samples,
       if (remembered.size() == kRemembered) remembered.erase(remembered.begin());
       remembered.push_back(found[k].position_m);
     }
+  });
+  return found;
+}
+
+std::vector<Visibility::Witness> Visibility::rim_witnesses(const Seen& samples,
+                                                           unsigned threads) const {
+  std::vector<Witness> found(samples.size());
+  for_chunks(samples.size(), 64, threads, [&](std::size_t from, std::size_t to) {
+    for (std::size_t k = from; k < to; ++k) from_lattice(samples[k], kFine, found[k]);
   });
   return found;
 }

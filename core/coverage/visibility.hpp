@@ -15,9 +15,9 @@ class Visibility {
   /// Keeps references.
   Visibility(const Seer& seer, const Flyable& flyable, double safety_m);
 
-  /// For each sample whether some line of sight is free for as long as the safety distance: only
-  /// the others need no further thought.
-  std::vector<bool> open(unsigned threads) const;
+  /// For each of the samples asked for whether some line of sight is free for as long as the safety
+  /// distance: the others need no further thought.
+  std::vector<bool> open(const std::vector<bool>& asked, unsigned threads) const;
 
   /// A place from which a sample is seen, and by which sensor.
   struct Witness {
@@ -27,6 +27,8 @@ class Visibility {
   /// For each of these samples one that the narrowed sensor has, else one that the nominal one has,
   /// else none was found.
   std::vector<Witness> witnesses(const Seen& samples, unsigned threads) const;
+  /// The same from a finer lattice alone: for samples on the rim of what can be seen.
+  std::vector<Witness> rim_witnesses(const Seen& samples, unsigned threads) const;
 
  private:
   struct Ray {
@@ -36,7 +38,7 @@ class Visibility {
   Vec3f direction(std::uint32_t sample, std::size_t k) const;
   bool is_open(std::uint32_t sample) const;
   void try_places(std::uint32_t sample, const std::vector<Vec3>& places, Witness& best) const;
-  void from_lattice(std::uint32_t sample, Witness& best) const;
+  void from_lattice(std::uint32_t sample, int step, Witness& best) const;
   void along_directions(std::uint32_t sample, std::size_t count, Witness& best) const;
   std::size_t directions_for(std::uint32_t sample, const Seen& hopeless) const;
   unsigned hidden_from(std::uint32_t sample, const std::vector<Vec3>& places) const;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/error.hpp"
+#include "core/structure/base_arcs.hpp"
 #include "core/structure/clearance.hpp"
 #include "core/structure/cover.hpp"
 #include "core/structure/cuts.hpp"
@@ -164,7 +165,7 @@ void warn_of_size(const Vec3& size_m, ArcPlan& plan) {
 
 }  // namespace
 
-ArcPlan bridge_arcs(const Structure& structure, const CoverageSettings& settings) {
+ArcPlan base_arcs(const Structure& structure, const CoverageSettings& settings) {
   validate(settings);
   const Bounds bounds = checked_bounds(structure);
   ArcPlan plan;
@@ -186,13 +187,23 @@ ArcPlan bridge_arcs(const Structure& structure, const CoverageSettings& settings
 
   const double ground_m = settings.ground_m.value_or(plan.low_m.z());
   Planner(surface, settings, ground_m + settings.ground_clearance_m).plan(plan);
+  if (!plan.arcs.empty()) plan.within_reach = share_within_reach(structure, plan, settings);
+  return plan;
+}
+
+void require_arcs(const ArcPlan& plan, const CoverageSettings& settings) {
   if (plan.arcs.empty())
     throw InputError(
         fmt::format("structure: no arc keeps coverage.safety_m {} from it and "
                     "coverage.ground_clearance_m {} above "
                     "the ground at z = {:.6g}",
-                    settings.safety_m, settings.ground_clearance_m, ground_m));
-  plan.within_reach = share_within_reach(structure, plan, settings);
+                    settings.safety_m, settings.ground_clearance_m,
+                    settings.ground_m.value_or(plan.low_m.z())));
+}
+
+ArcPlan bridge_arcs(const Structure& structure, const CoverageSettings& settings) {
+  ArcPlan plan = base_arcs(structure, settings);
+  require_arcs(plan, settings);
   return plan;
 }
 

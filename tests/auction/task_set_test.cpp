@@ -71,6 +71,17 @@ TEST(Split, CutsByTheShortestArcAndLeavesTheRemainderLast) {
   EXPECT_THAT(set.warnings, IsEmpty());
 }
 
+TEST(Split, IsNotDrivenByLinesThatFillGaps) {
+  std::vector<Arc> arcs = straight_arcs({25, 1, 8});
+  arcs[1].kind = ArcKind::gap;
+  TaskSet set = split(arcs, std::nullopt, plenty);
+  EXPECT_DOUBLE_EQ(set.piece_m, 8);
+  EXPECT_THAT(lengths_of(set, 1), ElementsAre(1));
+  for (Arc& arc : arcs) arc.kind = ArcKind::gap;
+  set = split(arcs, std::nullopt, plenty);
+  EXPECT_DOUBLE_EQ(set.piece_m, 1);
+}
+
 TEST(Split, TilesEveryArcExactly) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     const auto arcs = crooked_arcs(seed, 8);

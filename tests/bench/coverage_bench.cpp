@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What coverage_arcs does on structures of known size, and what it takes: seconds, memory, arcs,
 // metres, and coverage on samples of its own. `coverage_bench [FILE…]`; without files: the shared
-// structures and clouds of parametric bridges. `--camera`: as a camera sees. `--10m`: ten million
-// points too.
+// structures and clouds of parametric bridges. `--camera`: as a camera sees. `--girders`: the
+// bridges alone. `--10m`: ten million points too. `--threads N`: N threads.
 #include <fmt/format.h>
 #include <sys/resource.h>
 
@@ -106,7 +106,7 @@ void shared_structures(const CoverageSettings& settings) {
 int main(int argc, char** argv) {
   using namespace arcbid;
   CoverageSettings settings;
-  bool most = false, files = false;
+  bool most = false, files = false, shared = true;
   fmt::print(
       "{:28} {:>8} {:>7} {:>7} {:>7} {:>6} {:>5} {:>7} {:>7} {:>7} {:>8} {:>5} {:>7} {:>8} {:>6} "
       "{:>7}\n",
@@ -118,6 +118,10 @@ int main(int argc, char** argv) {
       settings.sensor = camera_preset();
     } else if (word == "--10m") {
       most = true;
+    } else if (word == "--girders") {
+      shared = false;
+    } else if (word == "--threads" && a + 1 < argc) {
+      settings.threads = static_cast<unsigned>(std::stoul(argv[++a]));
     } else {
       files = true;
       const std::size_t colon = word.rfind(':');
@@ -129,7 +133,7 @@ int main(int argc, char** argv) {
     }
   }
   if (files) return 0;
-  shared_structures(settings);
+  if (shared) shared_structures(settings);
   measure("girder 60 m, 10 k", cloud_of(60, 10'000), settings);
   measure("girder 60 m, 100 k", cloud_of(60, 100'000), settings);
   measure("girder 200 m, 1 M", cloud_of(200, 1'000'000), settings);

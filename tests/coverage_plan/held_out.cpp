@@ -23,7 +23,7 @@ HeldOut held_out(const Structure& structure, const std::vector<Arc>& arcs,
   const Samples samples = sided_samples(surface, 0.3, 987'654'321);
   const Seer seer(scene, surface, samples, settings.sensor);
   const Visibility visibility(seer, flyable, settings.safety_m);
-  const std::vector<bool> open = visibility.open(threads);
+  const std::vector<bool> open = visibility.open(std::vector<bool>(samples.size(), true), threads);
   std::vector<Wanted> wanted(samples.size(), Wanted::no);
   for (std::size_t s = 0; s < open.size(); ++s)
     if (open[s]) wanted[s] = Wanted::nominal;
