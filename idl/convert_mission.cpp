@@ -94,7 +94,8 @@ wire::Airspace encode(const Airspace& airspace) {
     wire::Access& next = out.accesses().emplace_back();
     next.arc(access.arc.value);
     next.waypoint(access.waypoint);
-    for (const Vec3& p : access.points) next.points().emplace_back().position_m(encode(p));
+    for (const AccessPoint& p : access.points)
+      next.points().emplace_back().position_m(encode(p.position_m));
   }
   return out;
 }
@@ -106,7 +107,7 @@ void check_begin(const Access& access, const std::vector<Arc>& arcs, Verdict& ve
   if (!verdict.accepted()) return;
   const auto& waypoints = arcs[arc].waypoints;
   verdict.require(access.waypoint < waypoints.size() && !access.points.empty() &&
-                      waypoints[access.waypoint].position_m == access.points.front(),
+                      waypoints[access.waypoint].position_m == access.points.front().position_m,
                   "airspace.access.waypoint", access.waypoint);
 }
 
@@ -121,7 +122,7 @@ Airspace decode(const wire::Airspace& airspace, const std::vector<Arc>& arcs, Ve
     out.accesses.push_back({ArcId{access.arc()}, access.waypoint(), {}});
     for (const wire::Place& p : access.points())
       out.accesses.back().points.push_back(
-          decode(p.position_m(), "airspace.access.points", verdict));
+          {decode(p.position_m(), "airspace.access.points", verdict)});
     check_begin(out.accesses.back(), arcs, verdict);
   }
   if (const auto reason = unsound(out)) verdict.require(false, "airspace", *reason);

@@ -106,19 +106,16 @@ class AccessSearch {
   }
 
   Access unrolled(const Arc& arc, std::uint32_t n) const {
-    Access access{arc.id, 0, {nodes_[n].at}};
-    for (; nodes_[n].from != n; n = nodes_[n].from)
-      access.points.push_back(nodes_[nodes_[n].from].at);
-    access.waypoint = n;
-    std::reverse(access.points.begin(), access.points.end());
-    std::vector<Vec3> kept{access.points.front()};
-    for (std::size_t k = 0; k + 1 < access.points.size();) {
-      std::size_t next = access.points.size() - 1;
-      while (next > k + 1 && !clearance_.clears(access.points[k], access.points[next])) --next;
-      kept.push_back(access.points[next]);
+    std::vector<Vec3> way{nodes_[n].at};
+    for (; nodes_[n].from != n; n = nodes_[n].from) way.push_back(nodes_[nodes_[n].from].at);
+    std::reverse(way.begin(), way.end());
+    Access access{arc.id, n, {{way.front()}}};
+    for (std::size_t k = 0; k + 1 < way.size();) {
+      std::size_t next = way.size() - 1;
+      while (next > k + 1 && !clearance_.clears(way[k], way[next])) --next;
+      access.points.push_back({way[next]});
       k = next;
     }
-    access.points = std::move(kept);
     return access;
   }
 

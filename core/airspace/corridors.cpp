@@ -92,7 +92,8 @@ std::vector<Door> Corridors::doors(const Vec3& place, const std::optional<OnArc>
     if (access.arc.value != on->arc || access.waypoint >= waypoints.size()) continue;
     const OnArc end{on->arc, access.waypoint};
     Door door{along(*on, place, end, waypoints[access.waypoint].position_m), 0};
-    door.way.insert(door.way.end(), access.points.begin() + 1, access.points.end());
+    for (std::size_t k = 1; k < access.points.size(); ++k)
+      door.way.push_back(access.points[k].position_m);
     door.length_m = way_length_m(door.way);
     doors.push_back(std::move(door));
   }

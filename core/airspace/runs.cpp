@@ -65,8 +65,8 @@ std::optional<std::string> unsound_accesses(const Airspace& airspace) {
   for (std::size_t k = 0; k < airspace.accesses.size(); ++k) {
     const Access& access = airspace.accesses[k];
     if (access.points.size() < 2) return fmt::format("accesses[{}]: fewer than two points", k);
-    for (const Vec3& p : access.points)
-      if (!sane(p)) return fmt::format("accesses[{}]: not a place", k);
+    for (const AccessPoint& p : access.points)
+      if (!sane(p.position_m)) return fmt::format("accesses[{}]: not a place", k);
   }
   return std::nullopt;
 }

@@ -21,7 +21,7 @@ std::uint64_t digest(const Airspace& airspace) {
   d.add(std::uint64_t{airspace.runs.size()});
   for (const Access& access : airspace.accesses) {
     d.add(std::uint64_t{access.arc.value}).add(std::uint64_t{access.waypoint});
-    for (const Vec3& p : access.points) add(d, p);
+    for (const AccessPoint& p : access.points) add(d, p.position_m);
     d.add(std::uint64_t{access.points.size()});
   }
   return d.add(std::uint64_t{airspace.accesses.size()}).value();

@@ -9,12 +9,17 @@
 
 namespace arcbid {
 
+/// A place on an access.
+struct AccessPoint {
+  Vec3 position_m = Vec3::Zero();
+};
+
 /// A way that was checked against the surface itself, from a waypoint of an arc into a free cell:
 /// for arcs that run where no cell is free.
 struct Access {
   ArcId arc;
-  std::uint32_t waypoint = 0;  ///< of the arc; points.front() is bitwise its position
-  std::vector<Vec3> points;    ///< at least two; the last one lies in a free cell
+  std::uint32_t waypoint = 0;       ///< of the arc; points.front() is bitwise at its position
+  std::vector<AccessPoint> points;  ///< at least two; the last one lies in a free cell
 };
 
 /// Where the fleet may fly, as the coordinator publishes it (docs/AIRSPACE.md): a grid of cubes

@@ -80,12 +80,12 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"FarAway", [](Airspace& a) { a.low_m.x() = 1e300; }, "low_m: not a place"},
         Case{"AccessOfOne",
              [](Airspace& a) {
-               a.accesses.push_back({{0}, 0, {Vec3(0, 0, 0)}});
+               a.accesses.push_back({{0}, 0, {{Vec3(0, 0, 0)}}});
              },
              "accesses[0]: fewer than two points"},
         Case{"AccessNowhere",
              [](Airspace& a) {
-               a.accesses.push_back({{0}, 0, {Vec3(0, 0, 0), Vec3(0, kNan, 0)}});
+               a.accesses.push_back({{0}, 0, {{Vec3(0, 0, 0)}, {Vec3(0, kNan, 0)}}});
              },
              "accesses[0]: not a place"}),
     [](const auto& each) { return each.param.name; });

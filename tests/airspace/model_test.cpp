@@ -133,9 +133,11 @@ TEST(Access, LeadsOutOfANarrowShaft) {
   ASSERT_EQ(model.accesses.size(), 1u);
   const Access& access = model.accesses[0];
   EXPECT_EQ(access.arc.value, 0u);
-  EXPECT_EQ(access.points.front(), scene.arcs[0].waypoints[access.waypoint].position_m);
-  EXPECT_TRUE(scene.grid.free(access.points.back()));
-  EXPECT_GE(scene.least_m(access.points), scene.settings.safety_m);
+  EXPECT_EQ(access.points.front().position_m, scene.arcs[0].waypoints[access.waypoint].position_m);
+  EXPECT_TRUE(scene.grid.free(access.points.back().position_m));
+  std::vector<Vec3> way;
+  for (const AccessPoint& p : access.points) way.push_back(p.position_m);
+  EXPECT_GE(scene.least_m(way), scene.settings.safety_m);
   const std::vector<Vec3> places{Vec3(3.3, 5, 10), Vec3(3.3, 12, 10), Vec3(-4, 5, 10)};
   const ObstacleTransit transit(model, scene.arcs, places);
   EXPECT_TRUE(transit.closed_in().empty());

@@ -39,7 +39,7 @@ TEST(MisfitMission, NamesWhatCannotBe) {
             "agent 2 of its fleet is none");
   EXPECT_EQ(problem([](Mission& m) { m.arcs[0].waypoints[1].look.z() = NAN; }), no_line);
   EXPECT_EQ(problem([](Mission& m) { m.fleet.clear(); }), "it has no arcs or no fleet");
-  const std::vector<Vec3> way{{0, 0, 0}, {0, 1, 0}};
+  const std::vector<AccessPoint> way{{{0, 0, 0}}, {{0, 1, 0}}};
   EXPECT_EQ(problem([&](Mission& m) { m.airspace.accesses = {{{0}, 1, way}}; }), "");
   EXPECT_EQ(problem([&](Mission& m) {
               m.airspace.accesses = {{{1}, 0, way}};

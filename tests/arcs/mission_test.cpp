@@ -41,7 +41,7 @@ TEST(MissionDigest, EveryFieldCounts) {
   change([](Mission& m) { m.airspace.accesses.clear(); });
   change([](Mission& m) { m.airspace.accesses[0].arc.value = 1; });
   change([](Mission& m) { m.airspace.accesses[0].waypoint = 0; });
-  change([](Mission& m) { m.airspace.accesses[0].points[0].y() = 1; });
+  change([](Mission& m) { m.airspace.accesses[0].points[0].position_m.y() = 1; });
   change([](Mission& m) { m.auction.policy = PolicyKind::cbba; });
   change([](Mission& m) { m.auction.score = ScoreKind::minisum; });
   change([](Mission& m) { m.auction.discount_per_s = 1; });

@@ -189,7 +189,7 @@ TEST(Convert, AirspacesThatNoCoordinatorMakesAreRefused) {
     EXPECT_THAT(refused_after([&](Airspace& a) { a.low_m.y() = bad; }),
                 HasSubstr("airspace.low_m"));
     EXPECT_THAT(refused_after([&](Airspace& a) { a.cell_m = bad; }), HasSubstr("airspace.cell_m"));
-    EXPECT_THAT(refused_after([&](Airspace& a) { a.accesses[0].points[1].x() = bad; }),
+    EXPECT_THAT(refused_after([&](Airspace& a) { a.accesses[0].points[1].position_m.x() = bad; }),
                 HasSubstr("airspace.access.points"));
   }
   EXPECT_THAT(refused_after([](Airspace& a) {

@@ -36,6 +36,9 @@ inline bool same(const AuctionSettings& a, const AuctionSettings& b) {
          a.audit_bids == b.audit_bids && a.tick_ns == b.tick_ns && a.lease_ns == b.lease_ns &&
          a.barrier_ns == b.barrier_ns;
 }
+inline bool same(const AccessPoint& a, const AccessPoint& b) {
+  return same(a.position_m, b.position_m);
+}
 inline bool same(const Access& a, const Access& b) {
   return a.arc == b.arc && a.waypoint == b.waypoint && same(a.points, b.points);
 }
@@ -45,8 +48,8 @@ inline bool same(const Airspace& a, const Airspace& b) {
 }
 inline bool same(const Mission& a, const Mission& b) {
   return a.id == b.id && a.name == b.name && same(a.arcs, b.arcs) && same(a.fleet, b.fleet) &&
-         same(a.airspace, b.airspace) &&
-         same(a.auction, b.auction) && a.tour.seed == b.tour.seed && a.tour.epochs == b.tour.epochs;
+         same(a.airspace, b.airspace) && same(a.auction, b.auction) && a.tour.seed == b.tour.seed &&
+         a.tour.epochs == b.tour.epochs;
 }
 inline bool same(const ControlMessage& a, const ControlMessage& b) {
   return a.mission_digest == b.mission_digest && a.command == b.command && a.reason == b.reason;

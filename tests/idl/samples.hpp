@@ -72,7 +72,7 @@ inline Mission mission(std::uint32_t arcs = 2, std::uint32_t waypoints = 3) {
   out.fleet = {{AgentId{1}, {1, 2, 3}, 1.5}, {AgentId{5}, {-1, -2, -0.0}, 2.5}};
   out.airspace = {{-1.5, 2, 3}, 0.25, {4, 3, 2}, {20, 3, 1}, {}};
   const Vec3 begin = out.arcs.back().waypoints.back().position_m;
-  out.airspace.accesses.push_back({ArcId{arcs - 1}, waypoints - 1, {begin, {7, 8, 9}}});
+  out.airspace.accesses.push_back({ArcId{arcs - 1}, waypoints - 1, {{begin}, {{7, 8, 9}}}});
   out.auction = {PolicyKind::cbba,
                  ScoreKind::discounted_insert_warped,
                  0.03,

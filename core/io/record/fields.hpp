@@ -189,6 +189,9 @@ ARCBID_RECORD(TourSettings) {
   v("seed", s.seed);
   v("epochs", s.epochs);
 }
+ARCBID_RECORD(AccessPoint) {
+  v("position_m", s.position_m);
+}
 ARCBID_RECORD(Access) {
   v("arc", s.arc);
   v("waypoint", s.waypoint);
