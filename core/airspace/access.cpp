@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/airspace/build.hpp"
+#include "core/airspace/exact.hpp"
 #include "core/airspace/free_grid.hpp"
 
 namespace arcbid {
@@ -35,11 +36,10 @@ bool has_free_point(const Arc& arc, const FreeGrid& grid) {
 /// itself, from all waypoints of an arc at once to the first place in a free cell.
 class AccessSearch {
  public:
-  AccessSearch(const FreeGrid& grid, const Clearance& clearance, double required_m)
+  AccessSearch(const FreeGrid& grid, const ExactClearance& clearance)
       : grid_(grid),
         clearance_(clearance),
-        // As Clearance itself rounds.
-        required_m_(required_m + 0.025),
+        required_m_(clearance.required_m()),
         step_m_(grid.cell_m() / 2) {}
 
   std::optional<Access> find(const Arc& arc) {
@@ -121,7 +121,7 @@ class AccessSearch {
 
   using Entry = std::pair<double, std::uint32_t>;
   const FreeGrid& grid_;
-  const Clearance& clearance_;
+  const ExactClearance& clearance_;
   double required_m_, step_m_;
   std::vector<Node> nodes_;
   std::map<Index, std::uint32_t> index_;
@@ -130,14 +130,16 @@ class AccessSearch {
 
 }  // namespace
 
-void connect(std::vector<Arc>& arcs, const Clearance& clearance, double required_m,
+void connect(std::vector<Arc>& arcs, const Structure& structure, double safety_m,
              Airspace& airspace, std::vector<std::string>& warnings) {
   const FreeGrid grid(airspace);
+  std::optional<ExactClearance> clearance;  // most structures need none
   std::vector<Arc> kept;
   for (Arc& arc : arcs) {
     std::optional<Access> access;
     if (!has_free_point(arc, grid)) {
-      AccessSearch search(grid, clearance, required_m);
+      if (!clearance) clearance.emplace(structure, safety_m);
+      AccessSearch search(grid, *clearance);
       access = search.find(arc);
       if (!access) {
         const Vec3& p = arc.waypoints.front().position_m;

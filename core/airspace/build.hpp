@@ -6,6 +6,7 @@
 
 #include "core/arcs/airspace.hpp"
 #include "core/structure/clearance.hpp"
+#include "core/structure/structure.hpp"
 
 namespace arcbid {
 
@@ -23,10 +24,10 @@ struct AirspaceSettings {
 Airspace build_airspace(const std::vector<Vec3>& points, const Clearance& clearance,
                         const AirspaceSettings& settings);
 
-/// Adds an access to every arc that has no point in a free cell. `clearance` requires `required_m`.
-/// Arcs for which there is none are taken out, the others numbered anew, and `warnings` says which
-/// and why.
-void connect(std::vector<Arc>& arcs, const Clearance& clearance, double required_m,
+/// Adds an access to every arc that has no point in a free cell: every point of it keeps `safety_m`
+/// from the structure itself. Arcs for which there is none are taken out, the others numbered anew,
+/// and `warnings` says which and why.
+void connect(std::vector<Arc>& arcs, const Structure& structure, double safety_m,
              Airspace& airspace, std::vector<std::string>& warnings);
 
 }  // namespace arcbid

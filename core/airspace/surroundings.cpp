@@ -24,8 +24,10 @@ double spacing_m(const CoverageSettings& settings) {
 }  // namespace
 
 struct Surroundings::Surface {
-  Surface(const Structure& structure, const Bounds& bounds, const CoverageSettings& settings)
-      : cover(arcbid::cover(structure, spacing_m(settings))),
+  Surface(const Structure& whole, const Bounds& bounds, const CoverageSettings& settings)
+      : structure(whole),
+        safety_m(settings.safety_m),
+        cover(arcbid::cover(whole, spacing_m(settings))),
         clearance(cover.points, cover.clearance_m(settings.safety_m), kNoFloor) {
     how.required_m = cover.clearance_m(settings.safety_m);
     how.floor_m = settings.ground_m.value_or(bounds.low_m.z()) + settings.ground_clearance_m;
@@ -35,6 +37,8 @@ struct Surroundings::Surface {
     // leave some between them.
     how.cell_m = std::min(settings.safety_m, settings.standoff_m - settings.safety_m) / 4;
   }
+  Structure structure;
+  double safety_m;
   Cover cover;
   Clearance clearance;
   AirspaceSettings how;
@@ -53,7 +57,7 @@ double Surroundings::floor_m() const {
 
 Airspace Surroundings::airspace(std::vector<Arc>& arcs, std::vector<std::string>& warnings) const {
   Airspace out = build_airspace(surface_->cover.points, surface_->clearance, surface_->how);
-  connect(arcs, surface_->clearance, surface_->how.required_m, out, warnings);
+  connect(arcs, surface_->structure, surface_->safety_m, out, warnings);
   return out;
 }
 

@@ -58,6 +58,22 @@ float closing_m(const std::vector<Vec3f>& around, const Vec3f& normal, float spa
   return most_m;
 }
 
+/// They are not part of the surface; far away, they would spoil its middle and its extent.
+void drop_unused_vertices(Surface& s) {
+  std::vector<std::uint32_t> number(s.points.size());
+  for (const auto& t : s.triangles)
+    for (const std::uint32_t v : t) number[v] = 1;
+  std::uint32_t kept = 0;
+  for (std::size_t v = 0; v < s.points.size(); ++v) {
+    if (number[v] == 0) continue;
+    number[v] = kept;
+    s.points[kept++] = s.points[v];
+  }
+  s.points.resize(kept);
+  for (auto& t : s.triangles)
+    for (std::uint32_t& v : t) v = number[v];
+}
+
 std::vector<Vec3> thinned(const std::vector<Vec3>& points, double voxel_m, std::size_t most) {
   std::vector<Vec3> kept = one_per_voxel(points, voxel_m);
   while (kept.size() > most) kept = one_per_voxel(points, voxel_m *= 1.5);
@@ -105,18 +121,24 @@ float limit_radii(std::vector<Surfel>& surfels) {
 
 }  // namespace
 
-Surface surface_of(const Structure& structure, const std::vector<Vec3>& ground, unsigned threads) {
+Surface bare_surface(const Structure& structure) {
   Surface s;
-  Vec3 low = structure.points.front(), high = low;
-  for (const Vec3& p : structure.points) {
+  s.points = structure.points;
+  s.triangles = structure.triangles;
+  if (s.is_mesh()) drop_unused_vertices(s);
+  Vec3 low = s.points.front(), high = low;
+  for (const Vec3& p : s.points) {
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   }
   s.origin_m = 0.5 * (low + high);
-  s.triangles = structure.triangles;
-  s.points.reserve(structure.points.size() + ground.size());
-  for (const Vec3& p : structure.points) s.points.push_back(p - s.origin_m);
+  for (Vec3& p : s.points) p -= s.origin_m;
   s.lift_m = kMeshLift_m;
+  return s;
+}
+
+Surface surface_of(const Structure& structure, const std::vector<Vec3>& ground, unsigned threads) {
+  Surface s = bare_surface(structure);
   if (s.is_mesh()) return s;
 
   std::vector<Vec3> thin = thinned(s.points, kSurfel_m, kMostSurfels), local_ground;

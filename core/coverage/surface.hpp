@@ -33,6 +33,9 @@ struct Surface {
   bool is_mesh() const { return !triangles.empty(); }
 };
 
+/// Without surfels: for distances alone. Vertices that no triangle uses are left out.
+Surface bare_surface(const Structure& structure);
+
 /// `ground`: points of a cloud that are in the way but not to be inspected.
 Surface surface_of(const Structure& structure, const std::vector<Vec3>& ground, unsigned threads);
 

@@ -18,7 +18,7 @@ class RandomLegs : public testing::TestWithParam<std::uint64_t> {
       places.push_back(Vec3(real(random, -60, -50), real(random, -30, 30), 0));  // homes
   }
   Random random;
-  Scene scene;
+  Site scene;
   std::vector<Vec3> places;
 };
 
@@ -96,7 +96,7 @@ TEST_P(RandomLegs, AreLookedUpAsTheyAreAsked) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomLegs, testing::Range<std::uint64_t>(1, 13));
 
-double length_m(const Scene& scene, const Vec3& from, const Vec3& to) {
+double length_m(const Site& scene, const Vec3& from, const Vec3& to) {
   const std::vector<Vec3> places{from, to};
   const ObstacleTransit transit(scene.airspace, scene.arcs, places);
   EXPECT_GE(scene.least_m(transit.way(from, to), 0.05), scene.settings.safety_m);
@@ -104,14 +104,14 @@ double length_m(const Scene& scene, const Vec3& from, const Vec3& to) {
 }
 
 TEST(Leg, IsStraightWhereThatIsFree) {
-  const Scene scene(box_mesh(Vec3(0, 0, 0), Vec3(30, 1, 40)));
+  const Site scene(box_mesh(Vec3(0, 0, 0), Vec3(30, 1, 40)));
   const Vec3 from(-5, -10, 5), to(-5, 10, 8);
   EXPECT_EQ(length_m(scene, from, to), (to - from).norm());
 }
 
 /// The wall inflated by the safety distance: the shortest way touches its rounded edge.
 TEST(Leg, GoesAroundAWall) {
-  const Scene scene(box_mesh(Vec3(0, 0, 0), Vec3(30, 1, 40)));
+  const Site scene(box_mesh(Vec3(0, 0, 0), Vec3(30, 1, 40)));
   const double around = length_m(scene, Vec3(3, -4, 10), Vec3(3, 5, 10));
   // Over a corner 2 m from the wall's edge; the model's is up to 0.5 m farther out.
   EXPECT_GT(around, 2 * std::hypot(5, 2) + 5);
@@ -119,7 +119,7 @@ TEST(Leg, GoesAroundAWall) {
 }
 
 TEST(Leg, GoesOverALowWall) {
-  const Scene scene(box_mesh(Vec3(0, 0, 0), Vec3(60, 1, 10)));
+  const Site scene(box_mesh(Vec3(0, 0, 0), Vec3(60, 1, 10)));
   const Vec3 from(30, -4, 10), to(30, 5, 10);
   const std::vector<Vec3> places{from, to};
   const ObstacleTransit transit(scene.airspace, scene.arcs, places);
@@ -134,29 +134,29 @@ TEST(Leg, GoesThroughAPortal) {
   const Structure portal = joined(
       joined(box_mesh(Vec3(-40, 0, 0), Vec3(-4, 1, 60)), box_mesh(Vec3(4, 0, 0), Vec3(40, 1, 60))),
       box_mesh(Vec3(-4, 0, 14), Vec3(4, 1, 60)));
-  const Scene scene(portal);
+  const Site scene(portal);
   EXPECT_LT(length_m(scene, Vec3(15, -6, 8), Vec3(15, 7, 8)), 35);
 }
 
 TEST(Leg, IntoTheBoxFromAHomeFarAway) {
-  const Scene scene(box_mesh(Vec3(0, 0, 0), Vec3(30, 1, 40)));
+  const Site scene(box_mesh(Vec3(0, 0, 0), Vec3(30, 1, 40)));
   const Vec3 home(15, 300, 0), behind(15, -4, 10);
   EXPECT_GE(length_m(scene, home, behind), 315);
   EXPECT_LT(length_m(scene, home, behind), 326);
 }
 
 TEST(Leg, BetweenHomesRisesToTheFloor) {
-  const Scene scene(box_mesh(Vec3(0, 0, 0), Vec3(30, 1, 40)));
+  const Site scene(box_mesh(Vec3(0, 0, 0), Vec3(30, 1, 40)));
   EXPECT_EQ(length_m(scene, Vec3(0, -20, 0), Vec3(30, -20, 1)), 3 + std::hypot(30, 0) + 2);
 }
 
 TEST(Leg, ToTheSamePointIsNothing) {
-  const Scene scene(box_mesh(Vec3(0, 0, 0), Vec3(30, 1, 40)));
+  const Site scene(box_mesh(Vec3(0, 0, 0), Vec3(30, 1, 40)));
   EXPECT_EQ(length_m(scene, Vec3(0, -20, 9), Vec3(0, -20, 9)), 0);
 }
 
 TEST(Leg, IntoASealedBoxThereIsNone) {
-  const Scene scene(sealed_box());
+  const Site scene(sealed_box());
   const std::vector<Vec3> places{Vec3(8, 8, 13), Vec3(-10, 8, 13)};
   const ObstacleTransit transit(scene.airspace, scene.arcs, places);
   ASSERT_EQ(transit.closed_in(), std::vector<Vec3>{places[0]});
@@ -168,7 +168,7 @@ TEST(Leg, FindsTheOnlyOpening) {
   room.triangles.resize(room.triangles.size() - 12);
   room = joined(room, joined(box_mesh(Vec3(0, 0, 20), Vec3(16, 5, 21)),
                              box_mesh(Vec3(0, 10.4, 20), Vec3(16, 16, 21))));
-  const Scene scene(room);
+  const Site scene(room);
   ASSERT_TRUE(scene.grid.free(Vec3(8, 8, 13)));
   EXPECT_LT(length_m(scene, Vec3(8, 8, 13), Vec3(-6, 8, 13)), 40);
 }

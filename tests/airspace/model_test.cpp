@@ -13,7 +13,7 @@ class RandomModel : public testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(RandomModel, FreeCellsKeepTheSafetyDistanceInEveryPoint) {
   Random random(GetParam());
-  const Scene scene(some_boxes(random));
+  const Site scene(some_boxes(random));
   const Cell size = scene.grid.size();
   int looked_at = 0;
   for (int n = 0; n < 20'000; ++n) {
@@ -37,7 +37,7 @@ TEST_P(RandomModel, FreeCellsKeepTheSafetyDistanceInEveryPoint) {
 /// Half a cell's diagonal twice, and what the points that stand for the surface cost.
 TEST_P(RandomModel, WhatIsWellClearIsFree) {
   Random random(GetParam());
-  const Scene scene(some_boxes(random));
+  const Site scene(some_boxes(random));
   const double clear_m = scene.settings.safety_m + 2 * 0.4331 + 0.1;
   const Vec3 low = scene.airspace.low_m, size = scene.grid.centre(scene.grid.size()) - low;
   int closed = 0;
@@ -53,7 +53,7 @@ TEST_P(RandomModel, WhatIsWellClearIsFree) {
 TEST_P(RandomModel, IsTheSameAgainAndSmall) {
   Random random(GetParam());
   const Structure boxes = some_boxes(random);
-  const Scene scene(boxes), again(boxes);
+  const Site scene(boxes), again(boxes);
   EXPECT_EQ(digest(scene.airspace), digest(again.airspace));
   EXPECT_LT(scene.airspace.runs.size(), 40'000u);
   EXPECT_EQ(encode_runs(decode_runs(scene.airspace), scene.airspace.cells), scene.airspace.runs);
@@ -63,7 +63,7 @@ TEST_P(RandomModel, IsTheSameAgainAndSmall) {
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomModel, testing::Range<std::uint64_t>(1, 13));
 
 TEST(Model, TheInsideOfASealedBoxIsNotFree) {
-  const Scene scene(sealed_box());
+  const Site scene(sealed_box());
   ASSERT_GT(scene.distance_m(Vec3(8, 8, 13)), 6);
   EXPECT_FALSE(scene.grid.free(Vec3(8, 8, 13)));
   EXPECT_TRUE(scene.grid.free(Vec3(8, 8, 24.5)));
@@ -73,12 +73,12 @@ TEST(Model, AnOpenBoxIsFreeInside) {
   Structure open = sealed_box();
   // Without the triangles of the last box, the roof.
   open.triangles.resize(open.triangles.size() - 12);
-  const Scene scene(open);
+  const Site scene(open);
   EXPECT_TRUE(scene.grid.free(Vec3(8, 8, 13)));
 }
 
 TEST(Model, NothingUnderTheFloorIsFreeAndAllOutsideIs) {
-  const Scene scene(box_mesh(Vec3(0, 0, 0), Vec3(10, 2, 10)));
+  const Site scene(box_mesh(Vec3(0, 0, 0), Vec3(10, 2, 10)));
   EXPECT_FALSE(scene.grid.free(Vec3(-6, 0, 2.99)));
   EXPECT_TRUE(scene.grid.free(Vec3(-6, 0, 3)));
   EXPECT_FALSE(scene.grid.free(Vec3(-600, 0, 2.99)));
@@ -87,14 +87,14 @@ TEST(Model, NothingUnderTheFloorIsFreeAndAllOutsideIs) {
 }
 
 TEST(Model, PointsUnderTheFloorCountToo) {
-  const Scene scene(box_mesh(Vec3(0, 0, 0), Vec3(10, 10, 2)));  // its top is under the floor
+  const Site scene(box_mesh(Vec3(0, 0, 0), Vec3(10, 10, 2)));  // its top is under the floor
   EXPECT_FALSE(scene.grid.free(Vec3(5, 5, 3.2)));
   EXPECT_TRUE(scene.grid.free(Vec3(5, 5, 5.2)));
 }
 
 TEST(Model, LargeStructuresGetLargerCells) {
-  const Scene scene(joined(box_mesh(Vec3(0, 0, 0), Vec3(1, 1, 90)),
-                           box_mesh(Vec3(899, 299, 0), Vec3(900, 300, 90))));
+  const Site scene(joined(box_mesh(Vec3(0, 0, 0), Vec3(1, 1, 90)),
+                          box_mesh(Vec3(899, 299, 0), Vec3(900, 300, 90))));
   EXPECT_GT(scene.airspace.cell_m, 1);
   EXPECT_LE(scene.grid.number({0, 0, scene.grid.size()[2]}), 4'000'000u);
   EXPECT_FALSE(scene.grid.free(Vec3(0.5, 3, 50)));
@@ -103,7 +103,7 @@ TEST(Model, LargeStructuresGetLargerCells) {
 }
 
 TEST(Model, SizeOfABridge) {
-  EXPECT_LT(Scene(generate({})).airspace.runs.size(), 10'000u);
+  EXPECT_LT(Site(generate({})).airspace.runs.size(), 10'000u);
 }
 
 /// An arc in a shaft too narrow for free cells: 4.6 m wide, so its middle is 2.3 m from the walls.
@@ -125,7 +125,7 @@ struct Shaft {
 };
 
 TEST(Access, LeadsOutOfANarrowShaft) {
-  Scene scene(Shaft::walls(false));
+  Site scene(Shaft::walls(false));
   scene.arcs = Shaft::arcs();
   ASSERT_FALSE(scene.grid.free(Vec3(3.3, 5, 10)));
   const Airspace model = scene.surroundings.airspace(scene.arcs, scene.warnings);
@@ -146,8 +146,20 @@ TEST(Access, LeadsOutOfANarrowShaft) {
     EXPECT_GE(scene.least_m(transit.way(from, places[2])), scene.settings.safety_m);
 }
 
+/// As near as arcs may run, and nearer than the points that stand for the surface would allow.
+TEST(Access, LeadsAsNearTheSurfaceAsArcsRun) {
+  Site scene(box_mesh(Vec3(0, 0, 0), Vec3(1, 20, 20)));
+  const Vec3 look = Vec3::UnitX();
+  scene.arcs = {Arc{{0}, ArcKind::gap, {{Vec3(-2.01, 5, 10), look}, {Vec3(-2.01, 15, 10), look}}}};
+  const Airspace model = scene.surroundings.airspace(scene.arcs, scene.warnings);
+  ASSERT_EQ(model.accesses.size(), 1u);
+  std::vector<Vec3> way;
+  for (const AccessPoint& p : model.accesses[0].points) way.push_back(p.position_m);
+  EXPECT_GE(scene.least_m(way), scene.settings.safety_m);
+}
+
 TEST(Access, AnArcThatIsClosedInIsLeftOutAndSaidSo) {
-  Scene scene(Shaft::walls(true));
+  Site scene(Shaft::walls(true));
   scene.arcs = Shaft::arcs();
   const Airspace model = scene.surroundings.airspace(scene.arcs, scene.warnings);
   ASSERT_EQ(scene.arcs.size(), 1u);
@@ -161,8 +173,8 @@ TEST(Access, AnArcThatIsClosedInIsLeftOutAndSaidSo) {
 }
 
 TEST(Home, MustStandClearAndUnderAClearColumn) {
-  const Scene scene(joined(box_mesh(Vec3(0, 0, 8), Vec3(30, 10, 9)),    // a deck
-                           box_mesh(Vec3(14, 4, 0), Vec3(16, 6, 8))));  // and its pier
+  const Site scene(joined(box_mesh(Vec3(0, 0, 8), Vec3(30, 10, 9)),    // a deck
+                          box_mesh(Vec3(14, 4, 0), Vec3(16, 6, 8))));  // and its pier
   EXPECT_TRUE(scene.surroundings.clear_home(Vec3(-8, 5, 0), scene.airspace));
   EXPECT_TRUE(scene.surroundings.clear_home(Vec3(5, 5, 0), scene.airspace));
   EXPECT_FALSE(scene.surroundings.clear_home(Vec3(15, 7, 0), scene.airspace));

@@ -31,21 +31,21 @@ double to_triangle_m(const Vec3& p, const Triangle& t) {
 
 }  // namespace
 
-Scene::Scene(Structure what, CoverageSettings how)
+Site::Site(Structure what, CoverageSettings how)
     : structure(std::move(what)),
       settings(how),
       surroundings(structure, settings),
       airspace(surroundings.airspace(arcs, warnings)),
       grid(airspace) {}
 
-double Scene::distance_m(const Vec3& p) const {
+double Site::distance_m(const Vec3& p) const {
   double least = 1e30;
   for (std::size_t t = 0; t < structure.triangles.size(); ++t)
     least = std::min(least, to_triangle_m(p, triangle(structure, t)));
   return least;
 }
 
-double Scene::least_m(const std::vector<Vec3>& way, double step_m) const {
+double Site::least_m(const std::vector<Vec3>& way, double step_m) const {
   double least = 1e30;
   for (std::size_t n = 1; n < way.size(); ++n) {
     const double steps = std::ceil((way[n] - way[n - 1]).norm() / step_m);
@@ -56,7 +56,7 @@ double Scene::least_m(const std::vector<Vec3>& way, double step_m) const {
   return least;
 }
 
-Vec3 Scene::free_place(Random& random) const {
+Vec3 Site::free_place(Random& random) const {
   const Vec3 high_m = airspace.low_m + airspace.cell_m * Vec3(airspace.cells[0], airspace.cells[1],
                                                               airspace.cells[2]);
   while (true) {

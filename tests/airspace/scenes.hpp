@@ -22,8 +22,8 @@ inline double real(Random& random, double low, double high) {
 
 /// A structure, its model, and the truth about it: exact distances from its triangles, by brute
 /// force.
-struct Scene {
-  explicit Scene(Structure what, CoverageSettings how = {});
+struct Site {
+  explicit Site(Structure what, CoverageSettings how = {});
 
   double distance_m(const Vec3& p) const;
   /// The least distance along a way, looked at every `step_m`.
