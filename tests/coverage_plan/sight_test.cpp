@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <boost/random/uniform_real_distribution.hpp>
 #include <random>
 
 #include "core/coverage/coverage_arcs.hpp"
@@ -40,7 +41,7 @@ TEST(SeenAlong, IsWhatAllStationsSeeTogether) {
 
 TEST(Cloud, HidesWhatIsBehindItHoweverItsPointsFell) {
   std::mt19937 random(11);
-  std::uniform_real_distribution<double> uniform(-5, 5);
+  boost::random::uniform_real_distribution<double> uniform(-5, 5);
   Structure plate;
   for (int k = 0; k < 3500; ++k) plate.points.emplace_back(uniform(random), uniform(random), 0);
   const Surface surface = surface_of(plate, {}, 2);
