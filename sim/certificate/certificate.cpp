@@ -14,11 +14,14 @@
 namespace arcbid::certificate {
 namespace {
 
-void require_sound(const Structure& structure) {
+void require_finite(const Structure& structure) {
   if (structure.points.empty()) throw InputError("the structure has no points: nothing to certify");
   for (const Vec3& point : structure.points)
     if (!point.allFinite())
       throw InputError("the structure has a point that is not finite: nothing can be certified");
+}
+
+void require_corners(const Structure& structure) {
   for (const auto& triangle : structure.triangles)
     for (const std::uint32_t corner : triangle)
       if (corner >= structure.points.size())
@@ -198,8 +201,11 @@ bool Certificate::keeps_clear() const {
 
 Certificate certify(const Structure& structure, const Flown& flown, const Settings& settings,
                     const Progress& progress) {
-  require_sound(structure);
-  return Survey(structure, settings, progress).run(flown);
+  require_corners(structure);
+  const Structure used = structure.is_mesh() ? used_part(structure) : Structure{};
+  const Structure& surface = structure.is_mesh() ? used : structure;
+  require_finite(surface);
+  return Survey(surface, settings, progress).run(flown);
 }
 
 }  // namespace arcbid::certificate

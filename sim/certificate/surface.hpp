@@ -34,6 +34,10 @@ struct SurfaceSettings {
 /// A mesh by area, stratified; of a cloud one point a voxel, its normal from its neighbours.
 Surface surface_of(const Structure& structure, const SurfaceSettings& settings);
 
+/// Without the vertices that no triangle uses: they are not part of the surface, and wherever they
+/// are, they would widen its box and lower its ground. Corners must exist.
+Structure used_part(const Structure& mesh);
+
 /// The two kinds, without the ground being told apart.
 void sample_mesh(const Structure& mesh, const SurfaceSettings& settings, Surface& surface);
 void sample_cloud(const Structure& cloud, const SurfaceSettings& settings, Surface& surface);

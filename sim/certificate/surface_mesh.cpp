@@ -2,6 +2,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "sim/certificate/geometry.hpp"
 #include "sim/certificate/surface.hpp"
@@ -29,6 +30,23 @@ Vec3 spread_point(const Triangle& t, std::uint64_t n, double shift_a, double shi
 }
 
 }  // namespace
+
+Structure used_part(const Structure& mesh) {
+  constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> number(mesh.points.size(), unused);
+  Structure used;
+  used.triangles = mesh.triangles;
+  for (auto& triangle : used.triangles)
+    for (std::uint32_t& corner : triangle) {
+      std::uint32_t& own = number[corner];
+      if (own == unused) {
+        own = static_cast<std::uint32_t>(used.points.size());
+        used.points.push_back(mesh.points[corner]);
+      }
+      corner = own;
+    }
+  return used;
+}
 
 void sample_mesh(const Structure& mesh, const SurfaceSettings& settings, Surface& surface) {
   const auto triangle = [&mesh](std::size_t number) {

@@ -2,6 +2,8 @@
 // What is covered, and why the rest is not: shapes whose answers are known.
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "tests/certificate/shapes.hpp"
 
 namespace arcbid::certificate {
@@ -48,6 +50,22 @@ TEST(Coverage, FlippedFacesChangeNothing) {
   const Certificate c = certify(flipped, flown({{-5, 0, 14}, {5, 0, 14}}), settings());
   expect_all(count(c, Fate::covered, is_up));
   expect_all(count(c, Fate::missed, is_down));
+}
+
+/// Far below, and far away: neither the ground nor the grid may heed it.
+TEST(Coverage, VerticesThatNoTriangleUsesChangeNothing) {
+  const Flown route = flown({{-5, 0, 14}, {5, 0, 14}});
+  Settings how = settings();
+  how.ground_m.reset();
+  Structure mesh = level_plate(5, 10);
+  const Certificate without = certify(mesh, route, how);
+  mesh.points.emplace_back(9e5, -9e5, -700);
+  mesh.points.emplace_back(0, std::numeric_limits<double>::quiet_NaN(), 0);
+  const Certificate with = certify(mesh, route, how);
+  EXPECT_EQ(with.floor_m, without.floor_m);
+  EXPECT_EQ(with.grid_m, without.grid_m);
+  EXPECT_EQ(with.fates, without.fates);
+  EXPECT_EQ(with.ray_offset_m, without.ray_offset_m);
 }
 
 TEST(Coverage, AnOccludersShadow) {
