@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/base/error.hpp"
 #include "core/coverage/completion.hpp"
 #include "core/structure/base_arcs.hpp"
 #include "core/structure/ground.hpp"
@@ -26,6 +27,21 @@ CoverageSettings above(const Grounded& grounded, CoverageSettings settings) {
   return settings;
 }
 
+/// Nothing was seen, so trimming left nothing. What is too small to be measured is flown around all
+/// the same; a sensor that sees nothing from where it may be is a mistake that its owner wants to
+/// know of.
+void keep_or_refuse(const std::vector<Arc>& base, const CoverageSettings& how, ArcPlan& plan) {
+  if (plan.planned.samples > 0)
+    throw InputError(fmt::format(
+        "structure: no arc sees any of it; of {} places on its surface {} can be seen from {} to "
+        "{} m with coverage.safety_m {} and coverage.ground_clearance_m {}",
+        plan.planned.samples, plan.planned.visible, how.sensor.least_range_m, how.sensor.range_m,
+        how.safety_m, how.ground_clearance_m));
+  plan.arcs = base;
+  plan.warnings.push_back(
+      "the surface is too small for its coverage to be planned: arcs are those of slices and rows");
+}
+
 }  // namespace
 
 ArcPlan coverage_arcs(const Structure& structure, const CoverageSettings& settings) {
@@ -43,9 +59,11 @@ ArcPlan coverage_arcs(const Structure& structure, const CoverageSettings& settin
         fmt::format("{} of {} points are the ground at z = {:.2f} m: in the way, but not inspected "
                     "(coverage.ground_points: keep, if they should be)",
                     grounded->ground.size(), structure.points.size(), grounded->ground_m));
+  const std::vector<Arc> base = plan.arcs;
   Completion(inspected, grounded ? grounded->ground : std::vector<Vec3>{},
              how.ground_m.value_or(plan.low_m.z()), how)
       .run(plan);
+  if (plan.arcs.empty() && !base.empty()) keep_or_refuse(base, how, plan);
   require_arcs(plan, how);
   return plan;
 }

@@ -9,16 +9,23 @@ namespace arcbid {
 namespace {
 
 constexpr double kSample_m = 0.3;  // or less where a small stand-off shows more of the surface
-constexpr double kLeastSample_m = 0.1;
+constexpr double kLeastSample_m = 0.1, kLeastShare = 0.05;  // the latter of a tiny one's extent
 constexpr double kFew = 20'000;      // samples; of a small structure each would stand for too much
 constexpr std::uint32_t kDoubt = 8;  // of so many samples that seem hopeless one is tried
+
+double extent_m(const Surface& surface) {
+  double half_m = 0;
+  for (const Vec3& p : surface.points) half_m = std::max(half_m, p.cwiseAbs().maxCoeff());
+  return 2 * half_m;
+}
 
 Samples enough_samples(const Surface& surface, const CoverageSettings& settings,
                        std::uint64_t seed) {
   const double spacing_m = std::min(kSample_m, settings.sensor.range_m / 8);
   Samples samples = sided_samples(surface, spacing_m, seed);
   const double share = static_cast<double>(samples.size()) / kFew;
-  const double finer_m = std::max(kLeastSample_m, spacing_m * std::sqrt(share));
+  const double finer_m = std::max(std::min(kLeastSample_m, kLeastShare * extent_m(surface)),
+                                  spacing_m * std::sqrt(share));
   return finer_m < spacing_m ? sided_samples(surface, finer_m, seed) : samples;
 }
 
