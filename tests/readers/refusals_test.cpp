@@ -72,6 +72,15 @@ TEST(Refusals, ContentWinsOverTheName) {
   EXPECT_TRUE(samples::read("bridge", samples::stl(false)).warnings.empty());
 }
 
+/// Names come from the file: they may be as long as it, and hold whatever it does.
+TEST(Refusals, NamesAreShownShortened) {
+  const std::string name(2000, 'n');
+  const std::string head = "ply\nformat ascii 1.0\nelement " + name + " 2\n";
+  EXPECT_LT(samples::error("a.ply", head + "property int i\nend_header\n1\n").size(), 200u);
+  const std::string list = "property list uchar int corners\nend_header\n200 1\n";
+  EXPECT_LT(samples::error("a.ply", head + list).size(), 200u);
+}
+
 TEST(Refusals, TruncatedSaysExpectedAndFound) {
   const auto cut = [](std::string bytes, std::size_t by) {
     return bytes.substr(0, bytes.size() - by);
@@ -89,7 +98,7 @@ TEST(Refusals, TruncatedSaysExpectedAndFound) {
             "a.stl: truncated: the header promises 12 triangles, the file holds 10");
   EXPECT_THAT(samples::error("a.stl", cut(samples::stl(true), 20)), HasSubstr("truncated"));
   EXPECT_EQ(samples::error("a.ply", cut(samples::ply("binary_big_endian"), 16)),
-            "a.ply: truncated: the header promises 12 face items, the file holds 10");
+            "a.ply: truncated: the header promises 12 'face' items, the file holds 10");
   EXPECT_THAT(samples::error("a.ply", samples::ply("ascii").substr(0, 60)),
               HasSubstr("end_header"));
 }

@@ -98,8 +98,8 @@ void read_list(const Source& source, const PlyElement& element, const PlyPropert
   const double length = values.next(*property.count_type);
   if (values.ended()) return;
   if (!(length >= 0) || !values.can_hold(length, property.type)) {
-    fail(source, "{} {}: list {} of length {} does not fit into the rest of the file", element.name,
-         item, in_quotes(property.name), length);
+    fail(source, "{} {}: list {} of length {} does not fit into the rest of the file",
+         in_quotes(element.name), item, in_quotes(property.name), length);
   }
   for (double i = 0; i < length; ++i) {
     const double value = values.next(property.type);
@@ -132,7 +132,7 @@ void read_element(const Source& source, const PlyElement& element, Values& value
     }
     if (values.ended()) {
       fail(source, "truncated: the header promises {}, the file holds {}",
-           counted(element.count, element.name + " item"), grouped(item));
+           counted(element.count, in_quotes(element.name) + " item"), grouped(item));
     }
     if (element.name == "vertex") raw.points.push_back(point);
     if (element.name == "face") {
