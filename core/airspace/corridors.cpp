@@ -79,7 +79,8 @@ std::optional<Door> Corridors::walk(const Vec3& place, const OnArc& on, int sens
 std::vector<Door> Corridors::doors(const Vec3& place, const std::optional<OnArc>& on) const {
   if (grid_.free(place)) return {Door{{place}, 0}};
   std::vector<Door> doors;
-  if (place.z() < grid_.low_m().z()) {
+  // Arcs may run on the floor, and by rounding a hair under it: those are no homes.
+  if (!on && place.z() < grid_.low_m().z()) {
     const Vec3 top(place.x(), place.y(), grid_.low_m().z());
     if (grid_.free(top)) doors.push_back({{place, top}, top.z() - place.z()});
     return doors;

@@ -49,10 +49,11 @@ Completion::Completion(const Structure& structure, const std::vector<Vec3>& grou
                        const CoverageSettings& settings)
     : settings_(settings),
       threads_(thread_count(settings.threads)),
+      floor_m_(ground_m + settings.ground_clearance_m),
       surface_(surface_of(structure, ground, threads_)),
       scene_(surface_),
       flyable_(scene_, surface_,
-               {settings.safety_m, ground_m + settings.ground_clearance_m - surface_.origin_m.z(),
+               {settings.safety_m, floor_m_ - surface_.origin_m.z(),
                 std::max(settings.sensor.range_m, settings.standoff_m + settings.safety_m)},
                threads_) {}
 
@@ -166,6 +167,9 @@ void Completion::run(ArcPlan& plan) {
                        {settings_.spacing_m, 30 * settings_.spacing_m});
   plan.planned.planned_m = sum_m(arcs);
   plan.arcs = in_frame(std::move(arcs), surface_.origin_m);
+  // To the frame of their own and back, by rounding they may have come under the floor.
+  for (Arc& arc : plan.arcs)
+    for (Waypoint& w : arc.waypoints) w.position_m.z() = std::max(w.position_m.z(), floor_m_);
   for (std::size_t a = 0; a < plan.arcs.size(); ++a)
     plan.arcs[a].id.value = static_cast<std::uint32_t>(a);
   say_what_is_lost(plan.warnings);

@@ -32,6 +32,7 @@ class Completion {
 
   const CoverageSettings& settings_;
   unsigned threads_;
+  double floor_m_;  // z, in the structure's frame
   Surface surface_;
   Scene scene_;
   Flyable flyable_;

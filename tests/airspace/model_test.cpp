@@ -2,6 +2,8 @@
 // The model against exact distances: what it calls free is free, and not too little of it is.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/airspace/runs.hpp"
 #include "core/structure/parametric.hpp"
 #include "tests/airspace/scenes.hpp"
@@ -156,6 +158,19 @@ TEST(Access, LeadsAsNearTheSurfaceAsArcsRun) {
   std::vector<Vec3> way;
   for (const AccessPoint& p : model.accesses[0].points) way.push_back(p.position_m);
   EXPECT_GE(scene.least_m(way), scene.settings.safety_m);
+}
+
+/// Rounding puts arcs that run on the floor a hair under it: they are left like any other.
+TEST(Access, LeadsFromAHairUnderTheFloor) {
+  Site scene(box_mesh(Vec3(0, 0, 0), Vec3(1, 20, 20)));
+  const double z = std::nextafter(3.0, 0.0);
+  const Vec3 look = Vec3::UnitX();
+  scene.arcs = {Arc{{0}, ArcKind::gap, {{Vec3(-2.01, 5, z), look}, {Vec3(-2.01, 15, z), look}}}};
+  const Airspace model = scene.surroundings.airspace(scene.arcs, scene.warnings);
+  const std::vector<Vec3> places{Vec3(-2.01, 10, z), Vec3(9, 10, 4)};
+  const ObstacleTransit transit(model, scene.arcs, places);
+  EXPECT_TRUE(transit.closed_in().empty());
+  EXPECT_GE(scene.least_m(transit.way(places[0], places[1])), scene.settings.safety_m);
 }
 
 TEST(Access, AnArcThatIsClosedInIsLeftOutAndSaidSo) {

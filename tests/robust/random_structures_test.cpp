@@ -41,6 +41,8 @@ CoverageSettings random_settings(std::uint32_t seed) {
 Certificate certified(const Structure& structure, const CoverageSettings& s) {
   ArcPlan plan = coverage_arcs(structure, s);
   const Surroundings surroundings(structure, s);
+  for (const Arc& arc : plan.arcs)
+    for (const Waypoint& w : arc.waypoints) EXPECT_GE(w.position_m.z(), surroundings.floor_m());
   const Airspace airspace = surroundings.airspace(plan.arcs, plan.warnings);
   const Vec3 home = plan.high_m + 3 * Vec3::Constant(s.standoff_m);
   certificate::Settings how;
