@@ -15,6 +15,8 @@ using testing::ElementsAre;
 TEST(GreedyCover, TakesWhatAddsMostAndNothingInVain) {
   EXPECT_THAT(greedy_cover({{0, 1}, {1, 2, 3}, {3, 4}, {0}, {2}}, 5), ElementsAre(1, 0, 2));
   EXPECT_THAT(greedy_cover({{}, {7}, {7}}, 8), ElementsAre(1));
+  // The second adds little once the first is taken.
+  EXPECT_THAT(greedy_cover({{0, 1, 2, 3}, {0, 1, 2, 4}, {5, 6}}, 7), ElementsAre(0, 2, 1));
   EXPECT_TRUE(greedy_cover({}, 3).empty());
 }
 
@@ -49,6 +51,14 @@ TEST(UnitDecomposition, KeepsFewOfTheCellsAndSeesTheWallsOutside) {
   EXPECT_LT(units.viewpoints.size(), units.cells / 2);
   EXPECT_GT(units.covered, units.samples * 45 / 100);  // the insides are half of all
   EXPECT_LE(units.covered, units.samples / 2);
+}
+
+TEST(UnitDecomposition, StaysOutOfRoomsWithoutADoor) {
+  const UnitDecomposition units =
+      unit_decomposition(box_mesh({-8, -8, 0}, {8, 8, 16}), with_threads(2));
+  ASSERT_FALSE(units.viewpoints.empty());
+  for (const Waypoint& w : units.viewpoints)
+    EXPECT_TRUE(w.position_m.head<2>().cwiseAbs().maxCoeff() > 8 || w.position_m.z() > 16);
 }
 
 TEST(UnitDecomposition, IsTheSameForAnyNumberOfThreads) {

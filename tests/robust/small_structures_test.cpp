@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "core/base/error.hpp"
 #include "core/coverage/coverage_arcs.hpp"
 #include "tests/structure/arc_laws.hpp"
@@ -56,6 +58,19 @@ TEST(SmallStructures, OfATenthOfAMetreAreSeenFromAllSides) {
   const ArcPlan plan = coverage_arcs(box_mesh({0, 0, 8}, {0.1, 0.05, 8.1}), settings);
   EXPECT_GT(plan.planned.visible, 100u);
   EXPECT_EQ(plan.planned.covered, plan.planned.visible);
+}
+
+/// In the frame that arcs are planned in, z of this floor is rounded down.
+TEST(Floor, IsKeptToTheLastBit) {
+  CoverageSettings settings;
+  settings.ground_clearance_m = 1.3;
+  const double floor_m = 0.3 + settings.ground_clearance_m;
+  ASSERT_LT((floor_m - 6.5) + 6.5, floor_m);
+  const ArcPlan plan = coverage_arcs(box_mesh({0, 0, 0.3}, {9, 4, 12.7}), settings);
+  double lowest_m = 1e9;
+  for (const Arc& arc : plan.arcs)
+    for (const Waypoint& w : arc.waypoints) lowest_m = std::min(lowest_m, w.position_m.z());
+  EXPECT_EQ(lowest_m, floor_m);
 }
 
 TEST(Sight, ThatReachesNothingIsRefused) {
