@@ -160,6 +160,18 @@ TEST(Access, LeadsAsNearTheSurfaceAsArcsRun) {
   EXPECT_GE(scene.least_m(way), scene.settings.safety_m);
 }
 
+TEST(Access, LeadsAsNearACloudAsArcsRun) {
+  Structure wall;
+  for (double y = 0; y <= 20; y += 0.25)
+    for (double z = 0; z <= 20; z += 0.25) wall.points.emplace_back(0, y, z);
+  Site scene(wall);
+  const Vec3 look = Vec3::UnitX();
+  scene.arcs = {Arc{{0}, ArcKind::gap, {{Vec3(-2.01, 5, 10), look}, {Vec3(-2.01, 15, 10), look}}}};
+  const Airspace model = scene.surroundings.airspace(scene.arcs, scene.warnings);
+  ASSERT_EQ(model.accesses.size(), 1u);
+  for (const AccessPoint& p : model.accesses[0].points) EXPECT_LT(p.position_m.x(), -2.0);
+}
+
 /// Rounding puts arcs that run on the floor a hair under it: they are left like any other.
 TEST(Access, LeadsFromAHairUnderTheFloor) {
   Site scene(box_mesh(Vec3(0, 0, 0), Vec3(1, 20, 20)));
