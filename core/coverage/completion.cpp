@@ -22,9 +22,20 @@ double sum_m(const std::vector<Arc>& arcs) {
   return sum;
 }
 
+/// What differs by less may be the same place after it is moved.
+constexpr double kSamePlace_m = 1e-6;
+
 std::vector<Arc> in_frame(std::vector<Arc> arcs, const Vec3& offset) {
-  for (Arc& arc : arcs)
-    for (Waypoint& w : arc.waypoints) w.position_m += offset;
+  for (Arc& arc : arcs) {
+    std::vector<Waypoint> moved;
+    for (Waypoint w : arc.waypoints) {
+      w.position_m += offset;
+      if (moved.empty() || (w.position_m - moved.back().position_m).norm() > kSamePlace_m)
+        moved.push_back(w);
+    }
+    arc.waypoints = std::move(moved);
+  }
+  std::erase_if(arcs, [](const Arc& arc) { return arc.waypoints.size() < 2; });
   return arcs;
 }
 

@@ -13,11 +13,11 @@ constexpr double kDegree = std::numbers::pi / 180;
 
 }  // namespace
 
-Sensor narrowed(const Sensor& sensor) {
+Sensor narrowed(const Sensor& sensor, double normals_off_deg) {
   Sensor s = sensor;
   s.range_m -= std::min(0.2, 0.05 * s.range_m);
   s.least_range_m += s.least_range_m > 0 ? std::min(0.05, 0.05 * s.range_m) : 0;
-  s.max_incidence_deg -= std::min(3.0, 0.1 * s.max_incidence_deg);
+  s.max_incidence_deg -= std::min(normals_off_deg, 0.2 * s.max_incidence_deg);
   if (s.horizontal_fov_deg < 360) s.horizontal_fov_deg -= std::min(2.0, 0.1 * s.horizontal_fov_deg);
   if (s.vertical_fov_deg < 180) s.vertical_fov_deg -= std::min(2.0, 0.1 * s.vertical_fov_deg);
   return s;

@@ -7,8 +7,9 @@
 namespace arcbid {
 
 /// A somewhat worse sensor: a plan made for it also serves samples between those that it was
-/// planned with, and positions between those that it was reckoned from.
-Sensor narrowed(const Sensor& sensor);
+/// planned with, and positions between those that it was reckoned from. `normals_off_deg`: how far
+/// others may find the surface to lean from what is known of it.
+Sensor narrowed(const Sensor& sensor, double normals_off_deg);
 
 /// A place of the sensor and how its image lies there: level, so that only the look decides.
 struct Pose {

@@ -14,11 +14,13 @@ namespace {
 
 constexpr double kMostPlaces = 5e6;
 constexpr double kSortCell_m = 0.25;
+constexpr float kMeshLift_m = 0.01F;  // far less than any member is thick
 
 /// Places and normals, before they get sides.
 struct Places {
   std::vector<Vec3> points;
   std::vector<Vec3f> normals;
+  std::vector<float> lifts_m;
 };
 
 /// Every triangle gets its share of the places, rounded up or down by chance; in it they follow a
@@ -43,6 +45,7 @@ Places places_on_mesh(const Surface& s, double spacing_m, std::uint64_t seed) {
       const bool beyond = u + v > 1;  // the parallelogram's other half
       places.points.push_back(a + (beyond ? 1 - u : u) * ab + (beyond ? 1 - v : v) * ac);
       places.normals.push_back(normal.normalized().cast<float>());
+      places.lifts_m.push_back(kMeshLift_m);
       u = std::fmod(u + 0.7548776662466927, 1.0);
       v = std::fmod(v + 0.5698402909980532, 1.0);
     }
@@ -63,6 +66,7 @@ Places places_on_cloud(const Surface& s, double spacing_m, std::uint64_t seed) {
     const std::uint32_t i = cells.order[cells.starts[c] + random() % size];
     places.points.push_back(points[i]);
     places.normals.push_back(s.surfels[i].normal);
+    places.lifts_m.push_back(s.surfels[i].lift_m);
   }
   return places;
 }
@@ -107,6 +111,7 @@ Samples sided_samples(const Surface& surface, double spacing_m, std::uint64_t se
     for (const float side : {1.0F, -1.0F}) {
       samples.points.push_back(places.points[i].cast<float>());
       samples.normals.push_back(side * places.normals[i]);
+      samples.lifts_m.push_back(places.lifts_m[i]);
     }
   return samples;
 }

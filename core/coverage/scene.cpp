@@ -70,16 +70,13 @@ RTCGeometry triangles(RTCDevice device, const Surface& s) {
   return g;
 }
 
-RTCGeometry discs(RTCDevice device, const Surface& s) {
-  RTCGeometry g = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_ORIENTED_DISC_POINT);
+RTCGeometry spheres(RTCDevice device, const Surface& s) {
+  RTCGeometry g = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_SPHERE_POINT);
   auto* v = static_cast<float*>(rtcSetNewGeometryBuffer(
       g, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, 4 * sizeof(float), s.surfels.size()));
-  auto* n = static_cast<float*>(rtcSetNewGeometryBuffer(
-      g, RTC_BUFFER_TYPE_NORMAL, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), s.surfels.size()));
   for (std::size_t i = 0; i < s.surfels.size(); ++i) {
     Eigen::Map<Vec3f>(v + 4 * i) = s.surfels[i].point_m;
     v[4 * i + 3] = s.surfels[i].radius_m;
-    Eigen::Map<Vec3f>(n + 3 * i) = s.surfels[i].normal;
   }
   return g;
 }
@@ -136,7 +133,7 @@ struct Scene::Index {
       sight = near = scene_of(device, triangles(device, s), RTC_SCENE_FLAG_ROBUST);
       rtcRetainScene(near);
     } else {
-      sight = scene_of(device, discs(device, s), RTC_SCENE_FLAG_NONE);
+      sight = scene_of(device, spheres(device, s), RTC_SCENE_FLAG_NONE);
       near = scene_of(device, dots(device, s), RTC_SCENE_FLAG_NONE);
     }
   }

@@ -8,8 +8,9 @@ namespace arcbid {
 
 namespace {
 
-constexpr std::size_t kRun = 64;     // samples that share a box
-constexpr std::size_t kBundle = 16;  // boxes that share a box
+constexpr std::size_t kRun = 64;                        // samples that share a box
+constexpr std::size_t kBundle = 16;                     // boxes that share a box
+constexpr double kMeshOff_deg = 3, kCloudOff_deg = 12;  // a cloud's normals are estimates
 
 }  // namespace
 
@@ -22,7 +23,7 @@ Seer::Seer(const Scene& scene, const Surface& surface, const Samples& samples, c
       surface_(surface),
       samples_(samples),
       nominal_(sensor),
-      narrow_(narrowed(sensor)) {
+      narrow_(narrowed(sensor, surface.is_mesh() ? kMeshOff_deg : kCloudOff_deg)) {
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const Vec3f& p = samples.points[i];
     if (i % kRun == 0) runs_.push_back({p, p});
@@ -33,11 +34,6 @@ Seer::Seer(const Scene& scene, const Surface& surface, const Samples& samples, c
     bundles_.back() = {bundles_.back().low.cwiseMin(runs_[r].low),
                        bundles_.back().high.cwiseMax(runs_[r].high)};
   }
-}
-
-Vec3f Seer::start(std::uint32_t sample, const Vec3f& eye) const {
-  const Vec3f from = samples_.points[sample] + surface_.lift_m * samples_.normals[sample];
-  return from + surface_.skip_m * (eye - from).normalized();
 }
 
 Seen Seer::in_reach(const Vec3f& eye, const Pose* pose, const std::vector<Wanted>& wanted) const {
@@ -65,7 +61,7 @@ void Seer::drop_hidden(const Vec3f& eye, Seen& seen) const {
     const int count = static_cast<int>(std::min<std::size_t>(8, seen.size() - k));
     for (int i = 0; i < count; ++i) {
       from[i] = eye;
-      to[i] = start(seen[k + static_cast<std::size_t>(i)], eye);
+      to[i] = start(seen[k + static_cast<std::size_t>(i)]);
     }
     const unsigned hidden = scene_.hidden(from, to, count);
     for (int i = 0; i < count; ++i)

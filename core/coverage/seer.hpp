@@ -33,8 +33,10 @@ class Seer {
   const Surface& surface() const { return surface_; }
   const Samples& samples() const { return samples_; }
 
-  /// Where a line of sight toward `eye` starts.
-  Vec3f start(std::uint32_t sample, const Vec3f& eye) const;
+  /// Where its lines of sight start.
+  Vec3f start(std::uint32_t sample) const {
+    return samples_.points[sample] + samples_.lifts_m[sample] * samples_.normals[sample];
+  }
 
  private:
   struct Box {

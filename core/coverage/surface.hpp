@@ -12,10 +12,11 @@ namespace arcbid {
 
 using Vec3f = Eigen::Vector3f;
 
-/// One of the discs that close a cloud's surface.
+/// What a point of a cloud stands for.
 struct Surfel {
   Vec3f point_m, normal;
-  float radius_m;
+  float radius_m = 0;  ///< of its sphere: together they close the surface
+  float lift_m = 0;    ///< over the surface, out of all spheres near by: lines of sight start there
 };
 
 /// The structure in a frame of its own, whose origin is the middle of the structure: floats are
@@ -26,9 +27,6 @@ struct Surface {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<Surfel> surfels;  ///< of a cloud: those to be inspected, then those of the ground
   std::size_t inspected = 0;    ///< how many of the surfels are to be inspected
-  /// How far from a point lines of sight start, on the side that is looked at, and how much of
-  /// their length is not asked: a cloud's discs are rougher than a mesh.
-  float lift_m = 0, skip_m = 0;
 
   bool is_mesh() const { return !triangles.empty(); }
 };
@@ -43,6 +41,7 @@ Surface surface_of(const Structure& structure, const std::vector<Vec3>& ground, 
 struct Samples {
   std::vector<Vec3f> points;
   std::vector<Vec3f> normals;  ///< unit; toward the side that is to be seen
+  std::vector<float> lifts_m;  ///< how far over the surface lines of sight start
   std::size_t size() const { return points.size(); }
 };
 

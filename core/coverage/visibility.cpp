@@ -45,7 +45,7 @@ bool Visibility::is_open(std::uint32_t sample) const {
   for (std::size_t k = 0; k < kEscapes; k += 8) {
     for (std::size_t i = 0; i < 8; ++i) {
       to[i] = p + static_cast<float>(safety_m_) * direction(sample, k + i);
-      from[i] = seer_.start(sample, to[i]);
+      from[i] = seer_.start(sample);
     }
     if (seer_.scene().hidden(from, to, 8) != 0xFF) return true;
   }
@@ -66,7 +66,7 @@ unsigned Visibility::hidden_from(std::uint32_t sample, const std::vector<Vec3>& 
   Vec3f from[8], to[8];
   for (std::size_t i = 0; i < places.size(); ++i) {
     to[i] = places[i].cast<float>();
-    from[i] = seer_.start(sample, to[i]);
+    from[i] = seer_.start(sample);
   }
   return seer_.scene().hidden(from, to, static_cast<int>(places.size()));
 }
@@ -80,7 +80,7 @@ void Visibility::try_places(std::uint32_t sample, const std::vector<Vec3>& place
     const std::size_t count = std::min<std::size_t>(8, places.size() - k);
     for (std::size_t i = 0; i < count; ++i) {
       to[i] = places[k + i].cast<float>();
-      from[i] = seer_.start(sample, to[i]);
+      from[i] = seer_.start(sample);
     }
     const unsigned hidden = seer_.scene().hidden(from, to, static_cast<int>(count));
     for (std::size_t i = 0; i < count && best.how != Wanted::narrow; ++i) {
@@ -160,14 +160,14 @@ void Visibility::along_directions(std::uint32_t sample, std::size_t count, Witne
   }
 }
 
-/// All directions, or an eighth of them where a near sample that faces the same way had no luck.
+/// All directions, or half of them where a near sample that faces the same way had no luck.
 std::size_t Visibility::directions_for(std::uint32_t sample, const Seen& hopeless) const {
   const Samples& all = seer_.samples();
   const bool doubtful = std::any_of(hopeless.begin(), hopeless.end(), [&](std::uint32_t other) {
     return (all.points[other] - all.points[sample]).squaredNorm() < kNear_m * kNear_m &&
            all.normals[other].dot(all.normals[sample]) > 0.9F;
   });
-  return doubtful ? kDirections / 8 : kDirections;
+  return doubtful ? kDirections / 2 : kDirections;
 }
 
 std::vector<Visibility::Witness> Visibility::witnesses(const Seen& samples,

@@ -71,7 +71,7 @@ class Survey {
         distances_(structure),
         surface_(surface_of(
             structure, {settings.spacing_m, own_seed(settings.mission_seed), settings.threads})),
-        lines_(structure, surface_.discs),
+        lines_(structure, surface_.balls),
         space_(structure, distances_,
                {settings.safety_m - tolerance_m,
                 ground_of(structure, settings) + settings.ground_clearance_m,

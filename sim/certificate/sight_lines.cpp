@@ -9,17 +9,13 @@
 namespace arcbid::certificate {
 namespace {
 
-void fill_discs(RTCGeometry geometry, const std::vector<Disc>& discs, const Vec3& middle) {
+void fill_balls(RTCGeometry geometry, const std::vector<Ball>& balls, const Vec3& middle) {
   auto* places = static_cast<float*>(rtcSetNewGeometryBuffer(
-      geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, 4 * sizeof(float), discs.size()));
-  auto* normals = static_cast<float*>(rtcSetNewGeometryBuffer(
-      geometry, RTC_BUFFER_TYPE_NORMAL, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), discs.size()));
-  for (std::size_t d = 0; d < discs.size(); ++d) {
-    for (int axis = 0; axis < 3; ++axis) {
-      places[4 * d + axis] = static_cast<float>(discs[d].middle_m[axis] - middle[axis]);
-      normals[3 * d + axis] = static_cast<float>(discs[d].normal[axis]);
-    }
-    places[4 * d + 3] = static_cast<float>(discs[d].radius_m);
+      geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, 4 * sizeof(float), balls.size()));
+  for (std::size_t b = 0; b < balls.size(); ++b) {
+    for (int axis = 0; axis < 3; ++axis)
+      places[4 * b + axis] = static_cast<float>(balls[b].middle_m[axis] - middle[axis]);
+    places[4 * b + 3] = static_cast<float>(balls[b].radius_m);
   }
 }
 
@@ -31,7 +27,7 @@ struct SightLines::Tree {
   EmbreeScene embree;
 };
 
-SightLines::SightLines(const Structure& structure, const std::vector<Disc>& discs)
+SightLines::SightLines(const Structure& structure, const std::vector<Ball>& balls)
     : tree_(std::make_unique<Tree>()) {
   tree_->middle = middle_of(structure);
   constexpr double thinnest_m = 2e-3;  // of what stands apart: less than any plate is thick
@@ -40,9 +36,9 @@ SightLines::SightLines(const Structure& structure, const std::vector<Disc>& disc
   if (structure.is_mesh())
     tree_->embree.build(RTC_GEOMETRY_TYPE_TRIANGLE, RTC_SCENE_FLAG_ROBUST,
                         [&](RTCGeometry geometry) { fill_triangles(geometry, structure, middle); });
-  else if (!discs.empty())
-    tree_->embree.build(RTC_GEOMETRY_TYPE_ORIENTED_DISC_POINT, RTC_SCENE_FLAG_ROBUST,
-                        [&](RTCGeometry geometry) { fill_discs(geometry, discs, middle); });
+  else if (!balls.empty())
+    tree_->embree.build(RTC_GEOMETRY_TYPE_SPHERE_POINT, RTC_SCENE_FLAG_ROBUST,
+                        [&](RTCGeometry geometry) { fill_balls(geometry, balls, middle); });
 }
 
 SightLines::~SightLines() = default;

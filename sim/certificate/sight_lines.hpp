@@ -11,9 +11,8 @@
 namespace arcbid::certificate {
 
 /// What stands for the surface around a point of a cloud when sight is asked for.
-struct Disc {
+struct Ball {
   Vec3 middle_m;
-  Vec3 normal;
   double radius_m = 0;
 };
 
@@ -25,11 +24,11 @@ struct Rays {
   std::uint8_t asked = 0;  ///< bit n: ray n counts
 };
 
-/// Whether something is in between: the triangles of a mesh, the discs of a cloud. Embree answers
+/// Whether something is in between: the triangles of a mesh, the balls of a cloud. Embree answers
 /// in floats around the structure's middle. May be asked by several threads at once.
 class SightLines {
  public:
-  SightLines(const Structure& structure, const std::vector<Disc>& discs);
+  SightLines(const Structure& structure, const std::vector<Ball>& balls);
   ~SightLines();
 
   /// The rays, of those asked, that reach their length.

@@ -22,7 +22,7 @@ struct Surface {
   std::vector<SurfacePoint> points;  ///< without the ground
   std::vector<SurfacePoint> ground;
   double spacing_m = 0;     ///< one point for each spacing_m^2
-  std::vector<Disc> discs;  ///< of a cloud: what blocks sight
+  std::vector<Ball> balls;  ///< of a cloud: what blocks sight
 };
 
 struct SurfaceSettings {

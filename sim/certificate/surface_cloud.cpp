@@ -12,8 +12,15 @@
 namespace arcbid::certificate {
 namespace {
 
+using Vec2 = Eigen::Vector2d;
+
 constexpr std::size_t neighbours_for_normal = 12, neighbour_for_radius = 6;
-constexpr double disc_share = 0.7;  // of the sixth neighbour's distance: discs of a lattice overlap
+constexpr double least_share =
+    0.7;                            // of the sixth neighbour's distance: balls of a lattice overlap
+constexpr double ends_share = 1.5;  // of it: where the next point is farther the surface ends
+constexpr double overlap = 1.1;     // for rounding, and where the surface bends
+constexpr double over_share =
+    1.15;  // of the largest ball near by: a line of sight begins above all
 
 /// One point a voxel: the one whose number comes first when all are shuffled by the seed.
 std::vector<std::uint32_t> one_each_voxel(const std::vector<Vec3>& points, double voxel_m,
@@ -62,11 +69,17 @@ std::vector<Neighbour> nearest(const std::vector<Vec3>& points, const Distances&
       if (const double d = (points[number] - at).norm(); d <= reach_m) found.push_back({d, number});
   }
   std::sort(found.begin(), found.end());
+  if (found.size() > neighbours_for_normal + 1) found.resize(neighbours_for_normal + 1);
   return found;
 }
 
-/// Across the plane that fits the neighbourhood best.
-Vec3 normal_of(const std::vector<Vec3>& points, const std::vector<Neighbour>& around) {
+/// A plane through a point's neighbourhood, and how badly it fits.
+struct Plane {
+  Vec3 normal = Vec3::UnitZ();
+  double rough_m = 0;  ///< root mean square of the distances from it
+};
+
+Plane plane_of(const std::vector<Vec3>& points, const std::vector<Neighbour>& around) {
   Vec3 mean = Vec3::Zero();
   for (const Neighbour& n : around) mean += points[n.number];
   mean /= static_cast<double>(around.size());
@@ -75,24 +88,91 @@ Vec3 normal_of(const std::vector<Vec3>& points, const std::vector<Neighbour>& ar
     const Vec3 off = points[n.number] - mean;
     spread += off * off.transpose();
   }
-  const Vec3 normal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(0);
-  return normal.allFinite() && normal.norm() > 0.5 ? normal : Vec3(Vec3::UnitZ());
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
+  const Vec3 normal = solver.eigenvectors().col(0);
+  if (!normal.allFinite() || normal.norm() < 0.5) return {};
+  const double mean_square = solver.eigenvalues()[0] / static_cast<double>(around.size());
+  return {normal, std::sqrt(std::max(0.0, mean_square))};
 }
 
-/// The disc of each point, large enough to leave no gap to its neighbours.
-std::vector<Disc> discs_at(const Structure& thinned, double voxel_m, unsigned threads) {
+/// At an edge the plane through both faces is neither: a point takes the plane of that neighbour
+/// which is flattest and which the point lies in.
+Vec3 normal_at(const std::vector<Vec3>& points, const std::vector<Neighbour>& around,
+               const std::vector<Plane>& planes) {
+  const Vec3& here = points[around.front().number];
+  const auto misfit = [&](const Neighbour& n) {
+    const Plane& plane = planes[n.number];
+    return plane.rough_m + std::abs(plane.normal.dot(here - points[n.number]));
+  };
+  const auto best =
+      std::min_element(around.begin(), around.end(),
+                       [&](const auto& a, const auto& b) { return misfit(a) < misfit(b); });
+  return planes[best->number].normal;
+}
+
+/// What of a convex polygon around zero is nearer to zero than to `other`.
+std::vector<Vec2> nearer_part(const std::vector<Vec2>& polygon, const Vec2& other) {
+  const double limit = 0.5 * other.squaredNorm();
+  std::vector<Vec2> part;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Vec2 &here = polygon[k], &next = polygon[(k + 1) % polygon.size()];
+    const double in = limit - here.dot(other), next_in = limit - next.dot(other);
+    if (in >= 0) part.push_back(here);
+    if ((in >= 0) != (next_in >= 0)) part.push_back(here + in / (in - next_in) * (next - here));
+  }
+  return part;
+}
+
+/// How far a ball must reach to leave no hole however the points fell: to the farthest corner of
+/// what, of its plane, is nearer to it than to any neighbour.
+double radius_of(const std::vector<Vec3>& points, const std::vector<Neighbour>& around,
+                 const Vec3& normal) {
+  const double sixth_m = around[std::min(neighbour_for_radius, around.size() - 1)].distance_m;
+  const double ends_m = ends_share * sixth_m;
+  const Vec3 x = normal.unitOrthogonal(), y = normal.cross(x);
+  std::vector<Vec2> cell{
+      {ends_m, ends_m}, {-ends_m, ends_m}, {-ends_m, -ends_m}, {ends_m, -ends_m}};
+  for (const Neighbour& n : around) {
+    const Vec3 to = points[n.number] - points[around.front().number];
+    const Vec2 flat(to.dot(x), to.dot(y));
+    if (flat.norm() > 0.5 * n.distance_m) cell = nearer_part(cell, flat);
+  }
+  double radius_m = least_share * sixth_m;
+  for (const Vec2& corner : cell)
+    if (corner.norm() < ends_m) radius_m = std::max(radius_m, overlap * corner.norm());
+  return radius_m;
+}
+
+/// What a point of the cloud stands for.
+struct Patch {
+  Vec3 normal;
+  double radius_m = 0;  ///< of its ball, large enough to leave no gap to its neighbours'
+  double over_m = 0;    ///< over the surface: out of its own and its neighbours' balls
+};
+
+std::vector<Patch> patches_at(const Structure& thinned, double voxel_m, unsigned threads) {
   const Distances tree(thinned);
-  std::vector<Disc> discs(thinned.points.size());
-  in_chunks(discs.size(), 256, threads, [&](std::size_t first, std::size_t last) {
-    for (std::size_t d = first; d < last; ++d) {
-      std::vector<Neighbour> around =
-          nearest(thinned.points, tree, thinned.points[d], 2.5 * voxel_m);
-      const std::size_t sixth = std::min(neighbour_for_radius, around.size() - 1);
-      const double radius_m = disc_share * around[sixth].distance_m;
-      discs[d] = {thinned.points[d], normal_of(thinned.points, around), radius_m};
+  const std::vector<Vec3>& points = thinned.points;
+  std::vector<std::vector<Neighbour>> around(points.size());
+  std::vector<Plane> planes(points.size());
+  std::vector<Patch> patches(points.size());
+  in_chunks(points.size(), 256, threads, [&](std::size_t first, std::size_t last) {
+    for (std::size_t p = first; p < last; ++p) {
+      around[p] = nearest(points, tree, points[p], 2.5 * voxel_m);
+      planes[p] = plane_of(points, around[p]);
     }
   });
-  return discs;
+  in_chunks(points.size(), 256, threads, [&](std::size_t first, std::size_t last) {
+    for (std::size_t p = first; p < last; ++p) {
+      const Vec3 normal = normal_at(points, around[p], planes);
+      patches[p] = {normal, radius_of(points, around[p], normal)};
+    }
+  });
+  for (std::size_t p = 0; p < points.size(); ++p)
+    for (std::size_t n = 0; n < std::min(neighbour_for_radius + 1, around[p].size()); ++n)
+      patches[p].over_m =
+          std::max(patches[p].over_m, over_share * patches[around[p][n].number].radius_m);
+  return patches;
 }
 
 }  // namespace
@@ -100,18 +180,17 @@ std::vector<Disc> discs_at(const Structure& thinned, double voxel_m, unsigned th
 void sample_cloud(const Structure& cloud, const SurfaceSettings& settings, Surface& surface) {
   if (cloud.points.empty()) return;
   surface.spacing_m = settings.spacing_m;
-  const double finer_m = 0.5 * settings.spacing_m;
+  const double finer_m = 0.5 * settings.spacing_m, area_m2 = std::pow(settings.spacing_m, 2);
   Structure thinned;
   for (const std::uint32_t number : one_each_voxel(cloud.points, finer_m, settings.seed))
     thinned.points.push_back(cloud.points[number]);
-  surface.discs = discs_at(thinned, finer_m, settings.threads);
+  const std::vector<Patch> patches = patches_at(thinned, finer_m, settings.threads);
+  for (std::size_t p = 0; p < patches.size(); ++p)
+    surface.balls.push_back({thinned.points[p], patches[p].radius_m});
   for (const std::uint32_t number :
-       one_each_voxel(thinned.points, settings.spacing_m, settings.seed + 1)) {
-    const Disc& disc = surface.discs[number];
-    // Neighbours' discs lean a little: what is as near as half a disc is the surface itself.
+       one_each_voxel(thinned.points, settings.spacing_m, settings.seed + 1))
     surface.points.push_back(
-        {disc.middle_m, disc.normal, settings.spacing_m * settings.spacing_m, 0.5 * disc.radius_m});
-  }
+        {thinned.points[number], patches[number].normal, area_m2, patches[number].over_m});
 }
 
 }  // namespace arcbid::certificate
