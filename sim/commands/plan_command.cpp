@@ -10,6 +10,7 @@
 #include "core/io/mission/mission_plan.hpp"
 #include "core/io/process/process.hpp"
 #include "core/io/run/run_files.hpp"
+#include "core/route/make_transit.hpp"
 #include "sim/certificate/files.hpp"
 #include "sim/checker/checker.hpp"
 #include "sim/commands/certify_run.hpp"
@@ -36,7 +37,12 @@ class Clock {
 /// The auction without processes: a world in which nothing goes wrong, left on record like a run.
 WorldResult hold_auction(const Mission& mission, const std::filesystem::path& out) {
   constexpr Range<TimeNs> latency_ns{100'000, 5'000'000};
-  const WorldSpec spec{.seed = 1, .mission = mission, .faults = {}, .latency_ns = latency_ns};
+  const WorldSpec spec{.seed = 1,
+                       .mission = mission,
+                       .faults = {},
+                       .latency_ns = latency_ns,
+                       .transit = make_transit(mission),
+                       .compares_with_greedy = false};
   WorldLog log(spec, out);
   const WorldResult result = run_world(spec, {}, &log);
   log.write_result(result);
@@ -166,10 +172,14 @@ Exit PlanCommand::run() const {
   const certificate::Certificate certified =
       certify_run(out, {.structure = {}, .tells_progress = true});
   clock.tell("done");
+  for (const Violation& violation : world.violations)
+    fmt::print("problem: the auction: {}: {}\n", violation.checker, violation.what);
   for (const std::string& problem : report.problems) fmt::print("problem: {}\n", problem);
   fmt::print("{}{}{:<20}{}\n", figures(report), certificate::table(certified), "plan",
              out.string());
-  return world.agreed && report.ok() && certified.keeps_clear() ? Exit::done : Exit::check_failed;
+  return world.agreed && world.violations.empty() && report.ok() && certified.keeps_clear()
+             ? Exit::done
+             : Exit::check_failed;
 }
 
 }  // namespace arcbid

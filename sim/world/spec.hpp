@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -84,6 +85,8 @@ struct WorldSpec {
   Mission mission;
   FaultSchedule faults;
   Range<TimeNs> latency_ns;
+  std::shared_ptr<const Transit> transit = {};  ///< none: made from the mission
+  bool compares_with_greedy = true;  ///< at the end; the work grows with the tasks' third power
 };
 
 /// The world of `seed`: a pure function.

@@ -30,7 +30,7 @@ World::World(const WorldSpec& spec, const Trace& trace, WorldObserver* observer)
       trace_(trace),
       observer_(observer),
       mission_(std::make_shared<const Mission>(spec.mission)),
-      transit_(make_transit(spec.mission)),
+      transit_(spec.transit ? spec.transit : make_transit(spec.mission)),
       pieces_(cut(spec.mission)),
       network_(spec),
       script_(script_of(spec)),

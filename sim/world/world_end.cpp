@@ -101,8 +101,8 @@ std::vector<Bidder> World::bidders(const Component& component) const {
 
 void World::check_outcome(const std::vector<Component>& components) {
   const AuctionSettings& auction = spec_.mission.auction;
-  const bool is_greedy =
-      auction.policy == PolicyKind::claims && auction.score != ScoreKind::discounted_insert;
+  const bool is_greedy = spec_.compares_with_greedy && auction.policy == PolicyKind::claims &&
+                         auction.score != ScoreKind::discounted_insert;
   std::size_t largest = 0;
   for (const Component& component : components) {
     const std::vector<Bidder> all = bidders(component);
@@ -112,7 +112,7 @@ void World::check_outcome(const std::vector<Component>& components) {
       for (const PathStop& stop : bidder.path) path.push_back(stop.task);
       for (const Piece& piece : combine(life_of(component.members[0]).core->tasks(), path))
         flown.push_back(piece);
-      const double closed_s = closed_path_s(pieces_, bidder.uav, bidder.path);
+      const double closed_s = closed_path_s(pieces_, bidder.uav, bidder.path, *transit_);
       result_.makespan_s = std::max(result_.makespan_s, closed_s);
       result_.total_length_m += closed_s * bidder.uav.speed_mps;
     }
@@ -125,7 +125,8 @@ void World::check_outcome(const std::vector<Component>& components) {
       if (!winners[j].winner)
         flown.push_back({{pieces_[j].arc}, pieces_[j].from_m, pieces_[j].to_m});
     check_cover(spec_.mission, flown, now_ns_, checkers_.findings);
-    if (is_greedy) check_greedy(spec_.mission, pieces_, all, now_ns_, checkers_.findings);
+    if (is_greedy)
+      check_greedy(spec_.mission, pieces_, all, *transit_, now_ns_, checkers_.findings);
   }
 }
 

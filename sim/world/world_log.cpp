@@ -32,7 +32,9 @@ nlohmann::json WorldLog::acts_until(TimeNs end_ns) const {
 }
 
 WorldLog::WorldLog(const WorldSpec& spec, std::filesystem::path directory)
-    : spec_(spec), transit_(make_transit(spec.mission)), directory_(std::move(directory)) {
+    : spec_(spec),
+      transit_(spec.transit ? spec.transit : make_transit(spec.mission)),
+      directory_(std::move(directory)) {
   std::error_code none;
   if (std::filesystem::exists(directory_, none) && !std::filesystem::is_empty(directory_, none))
     throw InputError(

@@ -152,7 +152,7 @@ class OutcomeTest : public ::testing::Test {
  protected:
   std::vector<std::string> greedy(const std::vector<Bidder>& bidders) const {
     Findings findings;
-    check_greedy(mission, cut(mission), bidders, 0, findings);
+    check_greedy(mission, cut(mission), bidders, StraightTransit(), 0, findings);
     std::vector<std::string> out;
     for (const Violation& v : findings.found()) out.push_back(v.what);
     return out;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 namespace arcbid {
@@ -51,9 +52,12 @@ std::vector<Stretch> cut(const std::vector<Arc>& arcs, double piece_m) {
 
 std::vector<Stretch> cut(const Mission& mission) {
   const std::vector<Arc>& arcs = mission.arcs;
-  double shortest_m = metres(arcs.front()), longest_m = shortest_m;
+  // Arcs that fill gaps do not say how all others are cut, unless there are no others.
+  const bool only_gaps = std::all_of(arcs.begin(), arcs.end(),
+                                     [](const Arc& arc) { return arc.kind == ArcKind::gap; });
+  double shortest_m = std::numeric_limits<double>::infinity(), longest_m = 0;
   for (const Arc& arc : arcs) {
-    shortest_m = std::min(shortest_m, metres(arc));
+    if (only_gaps || arc.kind != ArcKind::gap) shortest_m = std::min(shortest_m, metres(arc));
     longest_m = std::max(longest_m, metres(arc));
   }
   const double piece_m = std::max(mission.auction.split_m.value_or(shortest_m), 0.01);

@@ -19,14 +19,15 @@ double slack(double value) {
 /// S and the marginal scores, by their definitions (core/auction/score.hpp), without any cache.
 class Worth {
  public:
-  Worth(const Mission& mission, const std::vector<Stretch>& pieces, const Uav& uav)
-      : settings_(mission.auction), pieces_(pieces), uav_(uav) {}
+  Worth(const Mission& mission, const std::vector<Stretch>& pieces, const Uav& uav,
+        const Transit& transit)
+      : settings_(mission.auction), pieces_(pieces), uav_(uav), transit_(transit) {}
 
   /// c_ij of a path that became `longer` by one task.
   double gain(double before, const Path& longer, TaskId task) const {
     switch (settings_.score) {
       case ScoreKind::minimax:
-        return -closed_path_s(pieces_, uav_, longer);
+        return -closed_path_s(pieces_, uav_, longer, transit_);
       case ScoreKind::independent:
         return std::max(sum({{task, false}}), sum({{task, true}}));
       default:
@@ -36,13 +37,13 @@ class Worth {
 
   /// S of the path; for independent and minimax gains it is not asked for.
   double sum(const Path& path) const {
-    if (settings_.score == ScoreKind::minisum) return -closed_path_s(pieces_, uav_, path);
+    if (settings_.score == ScoreKind::minisum) return -closed_path_s(pieces_, uav_, path, transit_);
     Vec3 at = uav_.home_m;
     double t_s = 0, sum = 0;
     for (const PathStop& stop : path) {
       const Stretch& piece = pieces_.at(stop.task.value);
       const double length_m = piece.to_m - piece.from_m;
-      t_s += ((stop.reversed ? piece.last_m : piece.first_m) - at).norm() / uav_.speed_mps;
+      t_s += transit_.length_m(at, stop.reversed ? piece.last_m : piece.first_m) / uav_.speed_mps;
       t_s += length_m / uav_.speed_mps;
       at = stop.reversed ? piece.first_m : piece.last_m;
       sum += length_m * std::exp(-settings_.discount_per_s * t_s);
@@ -68,14 +69,16 @@ class Worth {
   const AuctionSettings& settings_;
   const std::vector<Stretch>& pieces_;
   const Uav& uav_;
+  const Transit& transit_;
 };
 
 /// One bidder, some steps into its bundle.
 class Progress {
  public:
-  Progress(const Mission& mission, const std::vector<Stretch>& pieces, const Bidder& bidder)
+  Progress(const Mission& mission, const std::vector<Stretch>& pieces, const Bidder& bidder,
+           const Transit& transit)
       : bidder_(bidder),
-        worth_(mission, pieces, bidder.uav),
+        worth_(mission, pieces, bidder.uav, transit),
         limit_(mission.auction.bundle_limit) {}
 
   AgentId agent() const { return bidder_.uav.id; }
@@ -135,22 +138,24 @@ Progress* highest(std::vector<Progress>& all) {
 
 }  // namespace
 
-double closed_path_s(const std::vector<Stretch>& pieces, const Uav& uav, const Path& path) {
+double closed_path_s(const std::vector<Stretch>& pieces, const Uav& uav, const Path& path,
+                     const Transit& transit) {
   Vec3 at = uav.home_m;
   double metres = 0;
   for (const PathStop& stop : path) {
     const Stretch& piece = pieces.at(stop.task.value);
-    metres += ((stop.reversed ? piece.last_m : piece.first_m) - at).norm();
+    metres += transit.length_m(at, stop.reversed ? piece.last_m : piece.first_m);
     metres += piece.to_m - piece.from_m;
     at = stop.reversed ? piece.first_m : piece.last_m;
   }
-  return (metres + (uav.home_m - at).norm()) / uav.speed_mps;
+  return (metres + transit.length_m(at, uav.home_m)) / uav.speed_mps;
 }
 
 void check_greedy(const Mission& mission, const std::vector<Stretch>& pieces,
-                  const std::vector<Bidder>& bidders, TimeNs now_ns, Findings& findings) {
+                  const std::vector<Bidder>& bidders, const Transit& transit, TimeNs now_ns,
+                  Findings& findings) {
   std::vector<Progress> all;
-  for (const Bidder& bidder : bidders) all.emplace_back(mission, pieces, bidder);
+  for (const Bidder& bidder : bidders) all.emplace_back(mission, pieces, bidder, transit);
   std::vector<bool> is_free(pieces.size(), true);
   while (Progress* winner = highest(all)) {
     const Claim claim = winner->next();

@@ -19,10 +19,11 @@ struct Bidder {
 /// highest bid wins. The outcome's own steps are taken one by one and none may be worse than the
 /// best, recomputed here: ties within rounding pass, whichever way they went.
 void check_greedy(const Mission& mission, const std::vector<Stretch>& pieces,
-                  const std::vector<Bidder>& bidders, TimeNs now_ns, Findings& findings);
+                  const std::vector<Bidder>& bidders, const Transit& transit, TimeNs now_ns,
+                  Findings& findings);
 
 /// Seconds that the path takes, home to home.
 double closed_path_s(const std::vector<Stretch>& pieces, const Uav& uav,
-                     const std::vector<PathStop>& path);
+                     const std::vector<PathStop>& path, const Transit& transit);
 
 }  // namespace arcbid
