@@ -29,6 +29,8 @@ class FreeGrid {
   }
   bool holds(const Cell& c) const;
   bool free(const Cell& c) const { return room_[number(c)] > 0; }
+  /// Free, and a neighbour, diagonals included, is not.
+  bool on_rim(const Cell& c) const { return room_[number(c)] == 1; }
   Vec3 centre(const Cell& c) const;
   /// The cell that `p` lies in, or the nearest one where it is outside the box.
   Cell cell(const Vec3& p) const;

@@ -16,7 +16,7 @@ TEST(MissionDigest, EveryFieldCounts) {
                    ArcKind::outline,
                    {{Vec3(0, 0, 0), Vec3(1, 0, 0)}, {Vec3(1, 0, 0), Vec3(1, 0, 0)}}}};
   mission.fleet = {{AgentId{1}, Vec3(0, 0, 0), 1}, {AgentId{2}, Vec3(0, 3, 0), 1}};
-  mission.airspace = {Vec3(0, 0, 3), 0.5, {4, 3, 2}, {20, 4}, {{ArcId{0}, 1, {Vec3(1, 0, 0)}}}};
+  mission.airspace = {Vec3(0, 0, 3), 0.5, {4, 3, 2}, {20, 4}, {{ArcId{0}, 1, {{Vec3(1, 0, 0)}}}}};
   std::set<std::uint64_t> digests = {digest(mission)};
   EXPECT_EQ(digest(Mission(mission)), *digests.begin());
   std::size_t changes = 0;
