@@ -78,12 +78,15 @@ void report_if_built(const std::filesystem::path& out) {
   }
 }
 
-/// A run stands by its own checks; what its routes see and how near they come is measured apart.
-void certify(const std::filesystem::path& out) {
+/// Whether routes keep their distance; a run that came to none has its own exit code.
+bool certify(const std::filesystem::path& out) {
   try {
-    fmt::print("{}", certificate::table(certify_run(out, {})));
+    const certificate::Certificate result = certify_run(out, {});
+    fmt::print("{}", certificate::table(result));
+    return result.keeps_clear();
   } catch (const InputError& error) {
     fmt::print(stderr, "no certificate: {}\n", error.what());
+    return true;
   }
 }
 
@@ -106,8 +109,10 @@ Exit run(const RunArguments& arguments) {
     fmt::print("the run is seen at {} until Ctrl-C\n", viewer->address());
     std::fflush(stdout);
   }
-  const Exit exit = launch({config, std::filesystem::absolute(out), faults, tier, programs()});
-  if (!arguments.no_certificate && exit != Exit::bad_input && !stop_requested()) certify(out);
+  Exit exit = launch({config, std::filesystem::absolute(out), faults, tier, programs()});
+  if (!arguments.no_certificate && exit != Exit::bad_input && !stop_requested() && !certify(out) &&
+      exit == Exit::done)
+    exit = Exit::check_failed;
   is_over = true;
   if (arguments.report && exit != Exit::bad_input) report_if_built(out);
   while (viewer && exit != Exit::bad_input && !stop_requested())
