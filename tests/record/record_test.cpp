@@ -81,7 +81,7 @@ TEST(Record, HoldsMoreThanTheRoomItBeganWith) {
     mission.arcs[a].waypoints.resize(9, {Vec3(a, 0.1, -3), Vec3(0, 0, 1)});
   }
   mission.fleet = {{{7}, Vec3(1, 2, 3), 2.5}};
-  mission.airspace = {Vec3(0, 1, 3), 0.5, {4, 3, 2}, {20, 4}, {{{2}, 1, {Vec3(1, 0, 0)}}}};
+  mission.airspace = {Vec3(0, 1, 3), 0.5, {4, 3, 2}, {20, 4}, {{{2}, 1, {{Vec3(1, 0, 0)}}}}};
   mission.auction.split_m = 0.1;
   const Mission again = decode<Mission>(encode(mission));
   EXPECT_EQ(digest(again), digest(mission));
