@@ -23,6 +23,7 @@ constexpr std::size_t kNeighbours = 16;    // that give a normal
 constexpr std::size_t kSpacingRank = 6;    // in a square lattice: the diagonal neighbour
 constexpr float kOverlap = 1.1F;           // of spheres whose surface bends
 constexpr float kLift = 1.15F;             // of the largest sphere near by
+constexpr float kMost_m = 1;               // points farther apart are no surface
 constexpr float kTouch = 1e-4F;            // for rounding
 constexpr float kEnd = 1.5F, kRim = 0.7F;  // of the spacing: beyond the first the surface ends
 
@@ -132,7 +133,8 @@ float radius_m(const std::vector<Vec3f>& around, const Vec3f& normal) {
     const Vec2f in_plane(to.dot(x), to.dot(y));
     if (in_plane.norm() > to.norm() / 2) flat.push_back(in_plane);
   }
-  return std::max(kRim * rank_m, kOverlap * farthest_corner_m(flat, kEnd * rank_m));
+  return std::min(kMost_m,
+                  std::max(kRim * rank_m, kOverlap * farthest_corner_m(flat, kEnd * rank_m)));
 }
 
 /// Over its own sphere and the neighbours' as well.

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kDirections = 256;
 constexpr std::size_t kEscapes = 64;    // of them tried over the safety distance
-constexpr int kLattice = 4, kFine = 2;  // cells between lattice positions
+constexpr int kLattice = 4, kFine = 1;  // cells between lattice positions
 constexpr std::size_t kRemembered = 8;
 constexpr float kNear_m = 0.5F;
 constexpr int kTries = 4;  // places along one direction

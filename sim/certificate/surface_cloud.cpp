@@ -19,6 +19,7 @@ constexpr double least_share =
     0.7;                            // of the sixth neighbour's distance: balls of a lattice overlap
 constexpr double ends_share = 1.5;  // of it: where the next point is farther the surface ends
 constexpr double overlap = 1.1;     // for rounding, and where the surface bends
+constexpr double most_m = 1;        // points farther apart are no surface
 constexpr double over_share =
     1.15;  // of the largest ball near by: a line of sight begins above all
 
@@ -140,7 +141,7 @@ double radius_of(const std::vector<Vec3>& points, const std::vector<Neighbour>& 
   double radius_m = least_share * sixth_m;
   for (const Vec2& corner : cell)
     if (corner.norm() < ends_m) radius_m = std::max(radius_m, overlap * corner.norm());
-  return radius_m;
+  return std::min(most_m, radius_m);
 }
 
 /// What a point of the cloud stands for.

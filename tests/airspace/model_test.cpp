@@ -196,7 +196,7 @@ TEST(Access, AnArcThatIsClosedInIsLeftOutAndSaidSo) {
   ASSERT_EQ(scene.warnings.size(), 1u);
   EXPECT_EQ(scene.warnings[0],
             "arc 0, 10.0 m long at (3.3, 5.0, 10.0), cannot be reached and is left out: the "
-            "surface closes it in at the safety distance");
+            "surface closes it in at the safety distance, but for passages narrower than 0.25 m");
 }
 
 TEST(Home, MustStandClearAndUnderAClearColumn) {

@@ -22,7 +22,7 @@ Structure wall_with_slit() {
   return joined(box_mesh({-8, -0.2, 0}, {-0.5, 0.2, 9}), box_mesh({0.5, -0.2, 0}, {8, 0.2, 9}));
 }
 Structure plates() {
-  return joined(box_mesh({-7, -7, 6}, {7, 7, 6.3}), box_mesh({-7, -7, 9.3}, {7, 7, 9.6}));
+  return joined(box_mesh({-6, -6, 6}, {6, 6, 6.3}), box_mesh({-6, -6, 9.3}, {6, 6, 9.6}));
 }
 std::vector<Shape> shapes() {
   std::vector<Shape> all;
