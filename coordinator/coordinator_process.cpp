@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "core/base/digest.hpp"
-#include "core/io/mission/mission_plan.hpp"
 #include "core/io/build/build.hpp"
+#include "core/io/mission/mission_plan.hpp"
 #include "core/io/run/agent_log.hpp"
 #include "core/io/run/arcs_json.hpp"
 #include "core/io/run/run_files.hpp"
@@ -34,8 +34,7 @@ CoordinatorProcess::CoordinatorProcess(CoordinatorOptions options)
   if (options_.run) {
     log_.emplace(*options_.run / "logs" / fmt::format("coordinator.{}.sqlite", birth_stamp_ms()));
     log_->meta("schema", RunLog::schema);
-    log_->meta("process",
-               {{"role", "coordinator"}, {"pid", getpid()}});
+    log_->meta("process", {{"role", "coordinator"}, {"pid", getpid()}});
     log_->meta("build", {{"version", build_version()}, {"commit", build_commit()}});
     log_->meta("config", to_yaml(options_.config));
     heard_status_ = log_->kind(cdr_kind<StatusMessage>(log_kind::heard_status));
@@ -46,7 +45,8 @@ CoordinatorProcess::CoordinatorProcess(CoordinatorOptions options)
 
 Exit CoordinatorProcess::run() {
   publish_mission();
-  const auto deadline_ns = static_cast<TimeNs>(options_.config.timeout_s * 1e9);
+  // Planning takes what it takes: it does not depend on anybody else.
+  const TimeNs deadline_ns = now_ns() + static_cast<TimeNs>(options_.config.timeout_s * 1e9);
   while (!stop_requested()) {
     for (const Received& received : bus_.wait(50ms))
       std::visit([this](const auto& message) { handle(message); }, received);

@@ -48,7 +48,7 @@ struct Config {
   AuctionSettings auction;
   TourSettings tour;
   NetworkConfig network;
-  double timeout_s = 120.0;  ///< the launcher gives up after this
+  double timeout_s = 120.0;  ///< the launcher gives up so long after the mission is published
 };
 
 /// The ids of the UAVs that the config asks for: its own, or 1 to `agents`.

@@ -31,8 +31,9 @@ namespace {
 
 constexpr double kFarewellS =
     15.0;  // between SIGTERM and SIGKILL; teardown of many participants is slow
-constexpr double kOverdueS = 10.0;  // beyond the mission's own time limit
-constexpr double kSettleS = 0.5;    // for what a dead process sent last to arrive
+constexpr double kOverdueS = 10.0;   // beyond the mission's own time limit
+constexpr double kPatienceS = 10.0;  // between lines that say what is waited for
+constexpr double kSettleS = 0.5;     // for what a dead process sent last to arrive
 
 std::string how_it_ended(const Child& child) {
   return child.ended_by_signal() ? fmt::format("was ended by signal {}", *child.ended_by_signal())
@@ -64,6 +65,7 @@ class Run {
       act_faults();
       console_.progress(now_s(), monitor_);
       tell_coordinator_loss();
+      watch_planning();
       consider_stopping();
     }
     tell_coordinator_loss();
@@ -289,11 +291,20 @@ class Run {
       console_.line(now_s(), fmt::format("agents without the mission take no part:{}", without));
   }
 
+  /// Large structures take minutes to plan.
+  void watch_planning() {
+    if (!published_s_ && monitor_.arcs()) published_s_ = now_s();
+    if (published_s_ || stopping_since_s_ || !coordinator().running()) return;
+    if (now_s() < told_of_planning_s_ + kPatienceS) return;
+    told_of_planning_s_ = now_s();
+    console_.line(now_s(), "the coordinator is still planning");
+  }
+
   void consider_stopping() {
     if (stop_requested()) {
       interrupted_ = true;
       stop("stopped by a signal");
-    } else if (now_s() > options_.config.timeout_s + kOverdueS) {
+    } else if (published_s_ && now_s() > *published_s_ + options_.config.timeout_s + kOverdueS) {
       stop("given up: not done in time, and the coordinator did not say so");
     } else if (!an_agent_runs() && !monitor_.outcome() && !monitor_.given_up()) {
       stop("no agent is left: the mission cannot be done");
@@ -364,7 +375,8 @@ class Run {
   nlohmann::json acted_ = nlohmann::json::array();  // faults done to processes
   bool coordinator_up_ = false, coordinator_loss_told_ = false, interrupted_ = false;
   double coordinator_ended_s_ = 0;
-  std::optional<double> stopping_since_s_;
+  double told_of_planning_s_ = 0;
+  std::optional<double> published_s_, stopping_since_s_;
 };
 
 }  // namespace

@@ -52,7 +52,11 @@ void World::start(std::size_t agent, bool is_twin) {
   life.wake_ns = now_ns_;
   life.is_twin = is_twin;
   trace("agent {} starts{}, life {}", id.value, is_twin ? " a second time" : "", incarnation);
-  if (life.number == 0) check_split(pieces_, life.core->tasks().tasks, checkers_.findings);
+  if (life.number == 0) {
+    const std::vector<Task>& tasks = life.core->tasks().tasks;
+    check_split(pieces_, tasks, checkers_.findings);
+    take_places(tasks, pieces_);
+  }
 }
 
 void World::stop(std::size_t agent, bool twins) {

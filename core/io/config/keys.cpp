@@ -218,7 +218,7 @@ Keys<Config> all_keys() {
   add_section(keys, "tour", &Config::tour, tour_keys());
   add_section(keys, "network", &Config::network, network_keys());
   keys.push_back(key("timeout_s", &Config::timeout_s, number<double>(1, 86400),
-                     "The launcher gives up after this."));
+                     "The launcher gives up so long after the mission is published."));
   return keys;
 }
 

@@ -86,6 +86,13 @@ void check_split(const std::vector<Stretch>& expected, const std::vector<Task>& 
   }
 }
 
+void take_places(const std::vector<Task>& tasks, std::vector<Stretch>& pieces) {
+  for (std::size_t j = 0; j < std::min(tasks.size(), pieces.size()); ++j) {
+    pieces[j].first_m = tasks[j].first_m;
+    pieces[j].last_m = tasks[j].last_m;
+  }
+}
+
 void check_cover(const Mission& mission, std::vector<Piece> pieces, TimeNs now_ns,
                  Findings& findings) {
   std::sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {

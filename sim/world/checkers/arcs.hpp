@@ -21,6 +21,8 @@ std::vector<Stretch> cut(const Mission& mission);
 /// The split is what it must be, to the millimetre.
 void check_split(const std::vector<Stretch>& expected, const std::vector<Task>& tasks,
                  Findings& findings);
+/// Pieces that passed, bit for bit where the tasks are: a transit knows those places.
+void take_places(const std::vector<Task>& tasks, std::vector<Stretch>& pieces);
 
 /// The pieces of all who fly, and the tasks that nobody took, add up to every arc: no gap, no
 /// overlap, to the millimetre.
