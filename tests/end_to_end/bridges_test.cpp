@@ -19,11 +19,14 @@ TEST_P(Bridges, AreAllocatedAndChecked) {
   const std::string file = shared_data("geometry/bridges/" + bridge.file);
   if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not here";
   const Scratch scratch;
-  // Quinte's complete arcs take a minute to plan; what is tested here is the fleet.
+  // Quinte at full detail takes minutes on two cores; what is tested here is the fleet.
   const bool is_large = bridge.file.starts_with("quinte");
   const std::string config =
-      is_large ? std::string(scratch.file("config.yaml", "coverage: {fill: false, trim: false}\n"))
-               : demo_config();
+      is_large
+          ? std::string(scratch.file(
+                "config.yaml",
+                "coverage: {spacing_m: 12, fill: false, trim: false}\nauction: {split_m: 60}\n"))
+          : demo_config();
   Launched run({"run", config, "--structure", file, "--unit", bridge.unit, "--agents",
                 std::to_string(bridge.agents), "--no-certificate", "--out",
                 (scratch / "run").string()});
