@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <atomic>
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <ctime>
 #include <thread>
@@ -209,8 +210,12 @@ int main(int argc, char** argv) {
     if (view.parsed()) return view.run(programs());
     if (export_run.parsed()) return export_run.run();
     if (doctor.parsed()) return doctor.run();
-    if (plan.parsed()) return plan.run();
-    if (certify_again.parsed()) return certify_again.run();
+    if (plan.parsed() || certify_again.parsed()) {
+      // There is nothing to be brought to an end: what they leave is whole or not there.
+      std::signal(SIGINT, SIG_DFL);
+      std::signal(SIGTERM, SIG_DFL);
+      return plan.parsed() ? plan.run() : certify_again.run();
+    }
     if (check_command->parsed()) return check_again(directory);
     if (picture_command->parsed()) fmt::print("{}", draw_routes(directory));
     if (reference_command->parsed()) fmt::print("{}", config_reference());

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <bit>
+#include <future>
 #include <thread>
 #include <utility>
 
@@ -85,7 +86,7 @@ void ObstacleTransit::fill_table(unsigned threads) {
   for (std::uint32_t a = 0; a < n; ++a)
     for (const LinkedDoor& door : places_[a].doors)
       for (const Roadmap::Link& link : door.links) last_linked[link.node] = a + 1;
-  const auto work = [&] {
+  const auto fill_rows = [&] {
     Search search(grid_, roadmap_);
     search.expect(last_linked);
     for (std::uint32_t a = next++; a < n; a = next++) {
@@ -95,10 +96,12 @@ void ObstacleTransit::fill_table(unsigned threads) {
             way_length_m(leg(search, places_[a], places_[b]));
     }
   };
-  std::vector<std::thread> others;
-  for (unsigned t = 1; t < threads; ++t) others.emplace_back(work);
-  work();
-  for (std::thread& other : others) other.join();
+  // What a thread throws (memory runs out) is thrown on by get().
+  std::vector<std::future<void>> others;
+  for (unsigned t = 1; t < threads; ++t)
+    others.push_back(std::async(std::launch::async, fill_rows));
+  fill_rows();
+  for (std::future<void>& other : others) other.get();
 }
 
 double ObstacleTransit::length_m(const Vec3& from, const Vec3& to) const {

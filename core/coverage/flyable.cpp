@@ -93,7 +93,7 @@ bool Flyable::linked(const Cell& from, State from_state, const Cell& to, State t
   return (from_state == kOpen && to_state == kOpen) || clears(centre(from), centre(to));
 }
 
-/// From the grid's sides and top inward. Open cells that were reached through a tight one are
+/// From the grid's top inward. Open cells that were reached through a tight one are
 /// marked all the same.
 void Flyable::flood() {
   std::vector<std::pair<Cell, State>> stack;

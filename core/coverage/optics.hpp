@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
+
 #include "core/coverage/surface.hpp"
 #include "core/structure/sensor.hpp"
 
@@ -39,6 +41,7 @@ class Optics {
 
   bool all_round() const { return all_round_; }
   float range_m() const { return range_m_; }
+  float least_m() const { return std::sqrt(least_m2_); }
   float cos_incidence() const { return cos_; }
 
  private:

@@ -128,6 +128,7 @@ std::optional<double> Visibility::next_reached(const Vec3& from, const Vec3& dir
 /// A line of sight is asked before an exact distance: it costs less and more often says no.
 void Visibility::along_directions(std::uint32_t sample, std::size_t count, Witness& best) const {
   const Vec3 p = seer_.samples().points[sample].cast<double>();
+  const double nearest_m = std::max<double>(safety_m_, seer_.optics(Wanted::narrow).least_m());
   for (std::size_t k = 0; k < count && best.how != Wanted::narrow; k += 8) {
     std::vector<Ray> rays;
     std::vector<Vec3> escapes;
@@ -137,7 +138,7 @@ void Visibility::along_directions(std::uint32_t sample, std::size_t count, Witne
     for (std::size_t i = 0; i < 8; ++i) {
       if (shut >> i & 1) continue;
       const Vec3 way = direction(sample, k + i).cast<double>();
-      if (const auto t = next_reached(p, way, safety_m_)) rays.push_back({way, *t});
+      if (const auto t = next_reached(p, way, nearest_m)) rays.push_back({way, *t});
     }
     // Where the grid's cell is flyable but the place itself is not, the next one is asked.
     for (int tries = 0; tries < kTries && !rays.empty() && best.how != Wanted::narrow; ++tries) {

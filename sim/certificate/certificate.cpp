@@ -196,7 +196,7 @@ double Certificate::below_floor_m() const {
 }
 
 bool Certificate::keeps_clear() const {
-  return min_clearance_m() >= settings.safety_m - tolerance_m;
+  return std::min(min_clearance_m(), home_clearance_m()) >= settings.safety_m - tolerance_m;
 }
 
 Certificate certify(const Structure& structure, const Flown& flown, const Settings& settings,

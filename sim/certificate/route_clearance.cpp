@@ -9,7 +9,7 @@ namespace arcbid::certificate {
 namespace {
 
 constexpr double farthest_m = 1e7;  // legs farther away than this are as good as infinitely far
-constexpr double level_slack_m = 1e-6;
+constexpr double level_slack_m = 1e-6, tolerance_m = 1e-3;
 
 void keep_nearer(Nearest& best, const Vec3& from, const Vec3& to, std::size_t leg,
                  const Distances& distances) {
@@ -42,17 +42,33 @@ class Piece {
   bool begins_low_ = false, ends_low_ = false;
 };
 
+/// Rising from home and landing there, straight up and down. All else is flight.
+bool is_column(const Vec3& home, const Vec3& from, const Vec3& to) {
+  const auto is_over_home = [&](const Vec3& p) {
+    return (p - home).head<2>().norm() <= tolerance_m;
+  };
+  return is_over_home(from) && is_over_home(to);
+}
+
 AgentClearance clearance_of(const Flight& flight, const Distances& distances, double floor_m) {
   AgentClearance out;
   out.agent = flight.agent;
   for (std::size_t leg = 0; leg < flight.legs.size(); ++leg) {
-    const bool is_home = !flight.legs[leg].arc && (leg == 0 || leg + 1 == flight.legs.size());
     const Path& path = flight.legs[leg].waypoints;
+    const bool is_transit = !flight.legs[leg].arc;
+    const auto rises = [&](const Vec3& from, const Vec3& to) {
+      return is_transit && leg == 0 && is_column(path.front().position_m, from, to);
+    };
+    const auto lands = [&](const Vec3& from, const Vec3& to) {
+      return is_transit && leg + 1 == flight.legs.size() &&
+             is_column(path.back().position_m, from, to);
+    };
     for (std::size_t w = 1; w < path.size(); ++w)
       Piece(path[w - 1].position_m, path[w].position_m, floor_m)
           .split([&](const Vec3& from, const Vec3& to, bool is_low) {
+            const bool is_home = is_low && (rises(from, to) || lands(from, to));
             if (is_low && !is_home) out.below_floor_m += (to - from).norm();
-            keep_nearer(is_low && is_home ? out.home : out.flight, from, to, leg, distances);
+            keep_nearer(is_home ? out.home : out.flight, from, to, leg, distances);
           });
   }
   return out;

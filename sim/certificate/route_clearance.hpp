@@ -20,7 +20,7 @@ struct Nearest {
 struct AgentClearance {
   std::uint32_t agent = 0;
   Nearest flight;            ///< of all but what `home` is for
-  Nearest home;              ///< of the first and the last leg below the floor
+  Nearest home;              ///< below the floor, straight over the home
   double below_floor_m = 0;  ///< flown below the floor elsewhere
 };
 

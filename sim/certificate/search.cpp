@@ -135,7 +135,11 @@ void Search::trace(const Sample& sample, const Vec3& direction, bool is_steep, F
     const bool in_range = sensing_.in_range((position - sample.position_m).norm());
     if (hope != Place::flyable && !in_range) continue;
     const Place place = space_.place(position);
-    if (place == Place::flyable) return found.add_flyable(can_point, is_steep, in_range);
+    if (place == Place::flyable) {
+      found.add_flyable(can_point, is_steep, in_range);
+      // What is too near may be in range farther out.
+      if (in_range || t > sensor.least_range_m) return;
+    }
     found.low = found.low || (is_good && in_range && place == Place::too_low);
     found.pocket = found.pocket || (is_good && in_range && place == Place::pocket);
   }

@@ -43,7 +43,10 @@ std::string table(const Certificate& c) {
     row("ground", fmt::format("{} samples, not to be inspected", c.ground_samples));
   row("clearance",
       fmt::format("{} ({:.3f} m asked for){}{}", metres(c.min_clearance_m()), c.settings.safety_m,
-                  c.keeps_clear() ? "" : ": TOO NEAR", place_of_least(c)));
+                  c.min_clearance_m() >= c.settings.safety_m - tolerance_m ? "" : ": TOO NEAR",
+                  place_of_least(c)));
+  if (c.home_clearance_m() < c.settings.safety_m - tolerance_m)
+    row("over a home", fmt::format("{}: TOO NEAR", metres(c.home_clearance_m())));
   if (c.below_floor_m() > 0)
     row("below the floor", fmt::format("{:.1f} m flown", c.below_floor_m()));
   row("effort", fmt::format("{:.4f} m flown for a square metre covered", c.metres_per_m2()));

@@ -90,6 +90,18 @@ json result_of(const WorldResult& world, const CheckReport& report,
           {"warnings", warnings}};
 }
 
+/// Before the work, not after it.
+void claim(const std::filesystem::path& out) {
+  std::error_code error;
+  std::filesystem::create_directories(out, error);
+  if (error)
+    throw InputError(fmt::format("--out {}: {}; legal is a directory that is new or empty",
+                                 out.string(), error.message()));
+  if (!std::filesystem::is_empty(out))
+    throw InputError(fmt::format(
+        "--out {}: is not empty; legal is a directory that is new or empty", out.string()));
+}
+
 std::string figures(const CheckReport& report) {
   return fmt::format("{:<20}{} in {} tasks, {} agents\n{:<20}{:.1f} m\n{:<20}{:.1f} s\n", "arcs",
                      report.arcs, report.tasks, report.agents, "total length",
@@ -154,6 +166,7 @@ Exit PlanCommand::run() const {
   const Clock clock;
   const Config planned = config();
   const std::filesystem::path out = std::filesystem::absolute(out_);
+  claim(out);
   const std::string yaml = to_yaml(planned);
   clock.tell("reading the structure, making arcs");
   // The same config gives the same plan, and so the same mission.

@@ -59,8 +59,27 @@ TEST(Clearance, TakingOffBesideAWallIsSaidApart) {
   EXPECT_EQ(c.clearance[0].agent, 7u);
   EXPECT_EQ(c.clearance[0].flight.leg, 0u);
   EXPECT_EQ(c.below_floor_m(), 0);
+  EXPECT_FALSE(c.keeps_clear());
   f.flights[0].legs[1].waypoints[1].position_m.z() = 0;
   EXPECT_GT(certify(wall, f, settings()).below_floor_m(), 2);
+}
+
+/// Only straight over a home is taking off: a detour under the floor is flight.
+TEST(Clearance, ADetourUnderTheFloorIsFlight) {
+  Structure wall;
+  testing::add_plate(wall, {0, -10, 0}, {0, 20, 0}, {0, 0, 10});
+  const Vec3 look(1, 0, 0), home(-5, 0, 0), beyond(5, 0, 2), out(-5, 0, 6);
+  Flown f;
+  f.flights = {{1,
+                {{std::nullopt, {{home, look}, {beyond, look}, {home, look}, {out, look}}},
+                 {0u, {{out, look}, {out + Vec3(0, 5, 0), look}}},
+                 {std::nullopt, {{out + Vec3(0, 5, 0), look}, {{-5, 5, 0}, look}}}}}};
+  const Certificate through = certify(wall, f, settings());
+  EXPECT_NEAR(through.min_clearance_m(), 0, 1e-6);
+  EXPECT_FALSE(through.keeps_clear());
+  EXPECT_GT(through.below_floor_m(), 20);
+  f.flights[0].legs[0].waypoints = {{home, look}, {out, look}};
+  EXPECT_TRUE(certify(wall, f, settings()).keeps_clear());
 }
 
 TEST(Clearance, NothingFlownIsNoClearance) {

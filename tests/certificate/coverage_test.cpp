@@ -181,6 +181,16 @@ TEST(Coverage, SeenFromTooNearOnly) {
   EXPECT_NEAR(c.min_clearance_m(), 1.5, 1e-9);
 }
 
+/// What is visible does not depend on what was flown: a place that is too near does not end the
+/// search along its line.
+TEST(Coverage, WhatIsInRangeFartherOut) {
+  Settings how = settings();
+  how.sensor.least_range_m = 3;
+  how.sensor.max_incidence_deg = 40;
+  const Certificate c = certify(level_plate(5, 10), elsewhere(), how);
+  expect_all(count(c, Fate::missed, is_up));
+}
+
 TEST(Coverage, TheGroundIsNotToBeSeen) {
   Structure mesh;
   add_plate(mesh, {-20, -20, 0}, {40, 0, 0}, {0, 40, 0});
