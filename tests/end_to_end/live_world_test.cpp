@@ -12,7 +12,7 @@ namespace {
 using ::testing::HasSubstr;
 
 constexpr const char* config =
-    "name: again\nfleet: {agents: 4}\n"
+    "name: again\nfleet: {agents: 4}\ncoverage: {fill: false, trim: false}\n"
     "auction: {split_m: 5, tick_ms: 50, lease_ms: 1200, barrier_ms: 3000}\ntimeout_s: 60\n";
 
 std::string run_live(const Scratch& scratch, const std::string& faults) {
