@@ -10,6 +10,7 @@
 #include <chrono>
 #include <utility>
 
+#include "agent/shared_transit.hpp"
 #include "core/io/run/arcs_json.hpp"
 #include "core/io/run/run_files.hpp"
 #include "core/route/make_transit.hpp"
@@ -138,7 +139,7 @@ void HostedAgent::handle(const Mission& mission) {
   }
   mission_ = std::make_shared<const Mission>(mission);
   mission_digest_ = digest(mission);
-  transit_ = make_transit(mission);
+  transit_ = options_.run ? shared_transit(mission, *options_.run) : make_transit(mission);
   const Birth birth{options_.id, incarnation_, clock_ns()};
   agent_ = std::make_unique<Agent>(options_.id, incarnation_, mission_, transit_, birth.now_ns);
   log_.birth(now_ns(), birth, mission);

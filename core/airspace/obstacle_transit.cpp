@@ -28,18 +28,21 @@ std::size_t hash(const Vec3& p) {
 }  // namespace
 
 ObstacleTransit::ObstacleTransit(const Airspace& airspace, const std::vector<Arc>& arcs,
-                                 std::span<const Vec3> places, unsigned threads)
+                                 std::span<const Vec3> places, unsigned threads,
+                                 std::vector<double> table)
     : arcs_(arcs),
       airspace_(airspace),
       grid_(airspace_),
       corridors_(arcs_, airspace_, grid_),
-      roadmap_(grid_) {
+      roadmap_(grid_),
+      lengths_m_(std::move(table)) {
   std::vector<Vec3> sorted(places.begin(), places.end());
   std::sort(sorted.begin(), sorted.end(), before);
   sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
   for (const Vec3& at : sorted) places_.push_back(make_place(at));
   index_places();
-  fill_table(threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency()));
+  if (lengths_m_.size() != places_.size() * places_.size())
+    fill_table(threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency()));
 }
 
 ObstacleTransit::Place ObstacleTransit::make_place(const Vec3& at) const {

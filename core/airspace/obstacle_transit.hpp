@@ -24,8 +24,10 @@ class ObstacleTransit final : public Transit {
   /// `places`: where legs will begin and end; in any order, repeated or not. Their lengths are
   /// worked out here, by `threads` threads (0: as many as the machine has), so that asking is
   /// looking up. Keeps a copy of `arcs` and `airspace`, which must be sound and not empty.
+  /// `table`: of a transit that was made from the same; of another size it is worked out again.
   ObstacleTransit(const Airspace& airspace, const std::vector<Arc>& arcs,
-                  std::span<const Vec3> places, unsigned threads = 0);
+                  std::span<const Vec3> places, unsigned threads = 0,
+                  std::vector<double> table = {});
 
   double length_m(const Vec3& from, const Vec3& to) const override;
   std::uint32_t place(const Vec3& point) const override;
@@ -36,6 +38,8 @@ class ObstacleTransit final : public Transit {
   /// Places no leg can leave: neither free, nor on an arc with a way out, nor under a free column.
   std::vector<Vec3> closed_in() const;
   const FreeGrid& grid() const { return grid_; }
+  /// All lengths between places, for who makes the same transit again.
+  const std::vector<double>& table() const { return lengths_m_; }
 
  private:
   struct Place {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/route/make_transit.hpp"
 
+#include <utility>
 #include <vector>
 
-#include "core/airspace/obstacle_transit.hpp"
 #include "core/airspace/runs.hpp"
 #include "core/auction/task_set.hpp"
 #include "core/base/error.hpp"
@@ -12,6 +12,11 @@ namespace arcbid {
 
 std::shared_ptr<const Transit> make_transit(const Mission& mission) {
   if (mission.airspace.empty()) return std::make_shared<const StraightTransit>();
+  return make_obstacle_transit(mission);
+}
+
+std::shared_ptr<const ObstacleTransit> make_obstacle_transit(const Mission& mission,
+                                                             std::vector<double> table) {
   if (const auto reason = unsound(mission.airspace))
     throw InputError("mission: airspace." + *reason);
   const TaskSet set = split(mission.arcs, mission.auction.split_m, mission.auction.max_tasks);
@@ -21,7 +26,8 @@ std::shared_ptr<const Transit> make_transit(const Mission& mission) {
     places.push_back(task.first_m);
     places.push_back(task.last_m);
   }
-  return std::make_shared<const ObstacleTransit>(mission.airspace, mission.arcs, places);
+  return std::make_shared<const ObstacleTransit>(mission.airspace, mission.arcs, places, 0,
+                                                 std::move(table));
 }
 
 }  // namespace arcbid
