@@ -73,6 +73,20 @@ AuctionSettings decode(const wire::AuctionSettings& settings, Verdict& verdict) 
   return out;
 }
 
+wire::TourSettings encode(const TourSettings& settings) {
+  wire::TourSettings out;
+  out.solver(static_cast<wire::TourSolver>(settings.solver));
+  out.seed(settings.seed);
+  out.epochs(settings.epochs);
+  out.iterations(settings.iterations);
+  return out;
+}
+
+TourSettings decode(const wire::TourSettings& settings, Verdict& verdict) {
+  return {enumerator<TourSolver>(settings.solver(), wire::TOUR_CRSOM_LS, "tour.solver", verdict),
+          settings.seed(), settings.epochs(), settings.iterations()};
+}
+
 Arc decode(const wire::Arc& arc, std::size_t position, Verdict& verdict) {
   Arc out{ArcId{static_cast<std::uint32_t>(position)},
           enumerator<ArcKind>(arc.kind(), wire::ARC_GAP, "arc.kind", verdict),
@@ -171,8 +185,7 @@ wire::Mission to_wire(const Mission& mission) {
   }
   out.airspace(encode(mission.airspace));
   out.auction(encode(mission.auction));
-  out.tour().seed(mission.tour.seed);
-  out.tour().epochs(mission.tour.epochs);
+  out.tour(encode(mission.tour));
   return out;
 }
 
@@ -189,7 +202,7 @@ Decoded<Mission> from_wire(const wire::Mission& mission) {
     out.fleet.push_back(decode(uav, out.fleet.empty() ? 0 : out.fleet.back().id.value, verdict));
   out.airspace = decode(mission.airspace(), out.arcs, verdict);
   out.auction = decode(mission.auction(), verdict);
-  out.tour = {mission.tour().seed(), mission.tour().epochs()};
+  out.tour = decode(mission.tour(), verdict);
   return verdict.on(std::move(out));
 }
 

@@ -23,37 +23,37 @@ struct Topic;
 template <>
 struct Topic<Mission> {
   using Type = wire::MissionPubSubType;
-  static constexpr const char* name = "arcbid/v5/mission";
+  static constexpr const char* name = "arcbid/v6/mission";
   static constexpr Delivery delivery = Delivery::latched;
 };
 template <>
 struct Topic<ControlMessage> {
   using Type = wire::ControlPubSubType;
-  static constexpr const char* name = "arcbid/v5/control";
+  static constexpr const char* name = "arcbid/v6/control";
   static constexpr Delivery delivery = Delivery::latched;
 };
 template <>
 struct Topic<BidMessage> {
   using Type = wire::BidsPubSubType;
-  static constexpr const char* name = "arcbid/v5/bids";
+  static constexpr const char* name = "arcbid/v6/bids";
   static constexpr Delivery delivery = Delivery::bids;
 };
 template <>
 struct Topic<RelayMessage> {
   using Type = wire::RelayPubSubType;
-  static constexpr const char* name = "arcbid/v5/relays";
+  static constexpr const char* name = "arcbid/v6/relays";
   static constexpr Delivery delivery = Delivery::bids;
 };
 template <>
 struct Topic<StatusMessage> {
   using Type = wire::StatusPubSubType;
-  static constexpr const char* name = "arcbid/v5/status";
+  static constexpr const char* name = "arcbid/v6/status";
   static constexpr Delivery delivery = Delivery::periodic;
 };
 template <>
 struct Topic<RouteMessage> {
   using Type = wire::RoutePubSubType;
-  static constexpr const char* name = "arcbid/v5/routes";
+  static constexpr const char* name = "arcbid/v6/routes";
   static constexpr Delivery delivery = Delivery::latched;
 };
 

@@ -18,8 +18,11 @@ std::uint64_t digest(const Mission& mission) {
   d.add(a.discount_per_s).add(std::uint64_t{a.split_m.has_value()}).add(a.split_m.value_or(0));
   d.add(std::uint64_t{a.max_tasks}).add(std::uint64_t{a.bundle_limit});
   d.add(std::uint64_t{a.audit_bids});
-  for (const TimeNs t : {a.tick_ns, a.lease_ns, a.barrier_ns}) d.add(static_cast<std::uint64_t>(t));
-  d.add(mission.tour.seed).add(std::uint64_t{mission.tour.epochs});
+  for (const TimeNs ns : {a.tick_ns, a.lease_ns, a.barrier_ns})
+    d.add(static_cast<std::uint64_t>(ns));
+  const TourSettings& t = mission.tour;
+  d.add(static_cast<std::uint64_t>(t.solver)).add(t.seed);
+  d.add(std::uint64_t{t.epochs}).add(std::uint64_t{t.iterations});
   return d.value();
 }
 

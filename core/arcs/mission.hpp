@@ -34,17 +34,24 @@ enum class ScoreKind : std::uint8_t {
   discounted_insert_warped
 };
 
+/// How an agent orders the arcs it won; core/tour/tour.hpp.
+enum class TourSolver : std::uint8_t { crsom, crsom_ls };
+
 /// Their names in configs, logs and on command lines, in the order of the enumerators.
 inline constexpr std::array<std::string_view, 5> policy_names{"claims", "claims-keep", "cbba",
                                                               "cbba-rebuild", "acbba"};
 inline constexpr std::array<std::string_view, 6> score_names{
     "minimax",           "minisum",           "independent",
     "discounted-append", "discounted-insert", "discounted-insert-warped"};
+inline constexpr std::array<std::string_view, 2> tour_solver_names{"crsom", "crsom+ls"};
 constexpr std::string_view name_of(PolicyKind policy) {
   return policy_names[static_cast<std::size_t>(policy)];
 }
 constexpr std::string_view name_of(ScoreKind score) {
   return score_names[static_cast<std::size_t>(score)];
+}
+constexpr std::string_view name_of(TourSolver solver) {
+  return tour_solver_names[static_cast<std::size_t>(solver)];
 }
 
 /// Whether agents state their own claims; else they exchange tables of beliefs.
@@ -67,8 +74,10 @@ struct AuctionSettings {
 };
 
 struct TourSettings {
+  TourSolver solver = TourSolver::crsom_ls;
   std::uint64_t seed = 1;
-  std::uint32_t epochs = 100;  ///< presentations of the whole arc set to the ring.
+  std::uint32_t epochs = 100;       ///< presentations of the whole arc set to the ring.
+  std::uint32_t iterations = 2000;  ///< disturbances of the local search.
 };
 
 /// Everything the coordinator publishes, and all an agent needs besides its own id.

@@ -55,8 +55,9 @@ Route plan_route(const Mission& mission, const TaskSet& tasks, const std::vector
   std::iota(auction_order.begin(), auction_order.end(), 0u);
 
   const Tour priced = best_directions(arcs, auction_order, uav.home_m, transit);
-  const Tour crsom = plan_tour(arcs, uav.home_m, transit, mission.tour);
-  const Tour& best = crsom.total_m <= priced.total_m ? crsom : priced;
+  const Tour crsom = crsom_tour(arcs, uav.home_m, transit, mission.tour);
+  const Tour best =
+      improved_tour(arcs, uav.home_m, transit, std::vector{crsom, priced}, mission.tour);
   return {.legs = legs_of(mission, pieces, best, uav.home_m, transit),
           .length_m = best.total_m,
           .time_s = best.total_m / uav.speed_mps,

@@ -18,9 +18,9 @@ namespace {
 constexpr std::size_t kFirstNeurons = 10;
 constexpr double kFirstRadius = 0.1;
 constexpr double kNeuronsPerInput = 2.5;
-constexpr double kGrowingShare = 0.5;  ///< of the run; then the ring only settles
-constexpr double kSigmaFirst = 0.2, kSigmaLast = 0.002;
-constexpr double kEtaFirst = 0.8, kEtaLast = 0.6;
+constexpr double kGrowingShare = 0.8;  ///< of the run; then the ring only settles
+constexpr double kSigmaFirst = 0.2, kSigmaLast = 0.0015;
+constexpr double kEtaFirst = 0.85, kEtaLast = 0.7;
 
 /// The input layer: home, then the centre of each arc's two end points, as fractions of their
 /// largest extent. Empty when there is nothing to scale by: all coincide, or a number is not

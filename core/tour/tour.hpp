@@ -45,8 +45,23 @@ std::vector<std::uint32_t> crsom_order(std::span<const TourArc> arcs, const Vec3
 Tour best_directions(std::span<const TourArc> arcs, std::span<const std::uint32_t> order,
                      const Vec3& home_m, const Transit& transit);
 
-/// `crsom_order` then `best_directions`, in both senses of travel along the ring; the shorter, in a
-/// tie the ring's own sense. m = 0, 1, 2 and coincident points are ordinary cases.
+/// The same in both senses of travel; the shorter, in a tie that of `order`. Where costs are
+/// asymmetric an order is one thing and the reversed order another.
+Tour best_directions_either_way(std::span<const TourArc> arcs, std::vector<std::uint32_t> order,
+                                const Vec3& home_m, const Transit& transit);
+
+/// `crsom_order`, then the best directions in either sense of travel. m = 0, 1, 2 and coincident
+/// points are ordinary cases.
+Tour crsom_tour(std::span<const TourArc> arcs, const Vec3& home_m, const Transit& transit,
+                const TourSettings& settings);
+
+/// `starts` improved by local search, or greedy edge's tour where that is the better start, for
+/// settings.iterations; never longer than the shortest of them. With the solver crsom: the shortest
+/// of them. At least one start.
+Tour improved_tour(std::span<const TourArc> arcs, const Vec3& home_m, const Transit& transit,
+                   std::span<const Tour> starts, const TourSettings& settings);
+
+/// `crsom_tour`, and `improved_tour` of it.
 Tour plan_tour(std::span<const TourArc> arcs, const Vec3& home_m, const Transit& transit,
                const TourSettings& settings);
 

@@ -16,7 +16,8 @@ TEST(MissionDigest, EveryFieldCounts) {
                    ArcKind::outline,
                    {{Vec3(0, 0, 0), Vec3(1, 0, 0)}, {Vec3(1, 0, 0), Vec3(1, 0, 0)}}}};
   mission.fleet = {{AgentId{1}, Vec3(0, 0, 0), 1}, {AgentId{2}, Vec3(0, 3, 0), 1}};
-  mission.airspace = {Vec3(0, 0, 3), 0.5, {4, 3, 2}, {20, 4}, {{ArcId{0}, 1, {{Vec3(1, 0, 0)}}}}};
+  mission.airspace = {
+      Vec3(0, 0, 3), 0.5, {4, 3, 2}, {20, 4}, {{ArcId{0}, 1, {AccessPoint{Vec3(1, 0, 0)}}}}};
   std::set<std::uint64_t> digests = {digest(mission)};
   EXPECT_EQ(digest(Mission(mission)), *digests.begin());
   std::size_t changes = 0;
@@ -55,6 +56,8 @@ TEST(MissionDigest, EveryFieldCounts) {
   change([](Mission& m) { m.auction.barrier_ns = 5; });
   change([](Mission& m) { m.tour.seed = 5; });
   change([](Mission& m) { m.tour.epochs = 5; });
+  change([](Mission& m) { m.tour.iterations = 5; });
+  change([](Mission& m) { m.tour.solver = TourSolver::crsom; });
   EXPECT_EQ(digests.size(), 1 + changes);
 }
 

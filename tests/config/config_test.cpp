@@ -77,7 +77,7 @@ coverage: {spacing_m: 3, standoff_m: 4.5, safety_m: 2.5, ground_clearance_m: 1, 
 fleet: {agents: 7, speed_mps: 2}
 auction: {policy: cbba, score: discounted-insert-warped, discount_per_s: 0.5, split_m: 12, max_tasks: 50,
   bundle_limit: 8, audit_bids: false, tick_ms: 12.5, lease_ms: 3000, barrier_ms: 4000}
-tour: {seed: 11, epochs: 12}
+tour: {solver: crsom, seed: 11, epochs: 12, iterations: 13}
 network: {transport: discovery_server, domain: 17, server_address: 127.0.0.2, server_port: 12,
   interface_address: 127.0.0.3, reliable_bids: true}
 timeout_s: 60
@@ -119,6 +119,8 @@ timeout_s: 60
   EXPECT_EQ(c.auction.barrier_ns, 4'000'000'000);
   EXPECT_EQ(c.tour.seed, 11u);
   EXPECT_EQ(c.tour.epochs, 12u);
+  EXPECT_EQ(c.tour.solver, TourSolver::crsom);
+  EXPECT_EQ(c.tour.iterations, 13u);
   EXPECT_EQ(c.network.transport, TransportKind::discovery_server);
   EXPECT_EQ(c.network.domain, 17u);
   EXPECT_EQ(c.network.server_address, "127.0.0.2");

@@ -96,7 +96,7 @@ const std::vector<Case> keys = {
     {"InTheWrongSection", "agents: 3",
      "demo.yaml:1:1: agents: unknown key; did you mean fleet.agents?"},
     {"Unknown", "tour: {colour: red}",
-     "demo.yaml:1:8: tour.colour: unknown key; legal: seed, epochs"},
+     "demo.yaml:1:8: tour.colour: unknown key; legal: solver, seed, epochs, iterations"},
     {"UnknownInAUav", "fleet: {uavs: [{id: 1, home: [0, 0, 0]}]}",
      "demo.yaml:1:16: fleet.uavs[0].home_m: missing; legal: a list [x, y, z], each a number in "
      "[-1000000, 1000000]\n"

@@ -83,7 +83,9 @@ Config legal_config() {
   c.auction.tick_ns = time_ns(1, 10000);
   c.auction.lease_ns = time_ns(30000, 600000);
   c.auction.barrier_ns = time_ns(0, 600000);
-  c.tour = {*rc::gen::arbitrary<std::uint32_t>(), *rc::gen::inRange(1u, 100001u)};
+  c.tour = {*rc::gen::element(TourSolver::crsom, TourSolver::crsom_ls),
+            *rc::gen::arbitrary<std::uint32_t>(), *rc::gen::inRange(1u, 100001u),
+            *rc::gen::inRange(0u, 100000001u)};
   c.network.transport = *rc::gen::element(TransportKind::loopback, TransportKind::discovery_server);
   if (*rc::gen::arbitrary<bool>()) c.network.domain = *rc::gen::inRange(0u, 233u);
   c.network.server_port = *rc::gen::inRange<std::uint16_t>(1, 65535);

@@ -144,6 +144,9 @@ TEST(Convert, ValuesOutsideEnumerationsAreRefused) {
   mission = to_wire(samples::mission());
   mission.auction().score(static_cast<wire::ScoreKind>(0xffffffff));
   EXPECT_THAT(refusal(mission), HasSubstr("auction.score = 4294967295"));
+  mission = to_wire(samples::mission());
+  mission.tour().solver(static_cast<wire::TourSolver>(2));
+  EXPECT_THAT(refusal(mission), HasSubstr("tour.solver = 2"));
   wire::Control control = to_wire(samples::control());
   control.command(static_cast<wire::Command>(2));
   EXPECT_THAT(refusal(control), HasSubstr("command = 2"));

@@ -49,7 +49,8 @@ inline bool same(const Airspace& a, const Airspace& b) {
 inline bool same(const Mission& a, const Mission& b) {
   return a.id == b.id && a.name == b.name && same(a.arcs, b.arcs) && same(a.fleet, b.fleet) &&
          same(a.airspace, b.airspace) && same(a.auction, b.auction) && a.tour.seed == b.tour.seed &&
-         a.tour.epochs == b.tour.epochs;
+         a.tour.epochs == b.tour.epochs && a.tour.solver == b.tour.solver &&
+         a.tour.iterations == b.tour.iterations;
 }
 inline bool same(const ControlMessage& a, const ControlMessage& b) {
   return a.mission_digest == b.mission_digest && a.command == b.command && a.reason == b.reason;

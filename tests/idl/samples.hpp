@@ -83,7 +83,7 @@ inline Mission mission(std::uint32_t arcs = 2, std::uint32_t waypoints = 3) {
                  1'000,
                  2'000,
                  3'000};
-  out.tour = {1ULL << 63, 42};
+  out.tour = {TourSolver::crsom, 1ULL << 63, 42, 43};
   return out;
 }
 

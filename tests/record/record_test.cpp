@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/io/record/records.hpp"
-
 #include <gmock/gmock.h>
 
 #include <limits>
 
 #include "core/base/error.hpp"
+#include "core/io/record/records.hpp"
 
 namespace arcbid {
 namespace {
@@ -13,7 +12,11 @@ namespace {
 using ::testing::HasSubstr;
 
 Header header(std::uint32_t sender) {
-  return {{sender}, std::uint64_t{1'700'000'000'000} + sender, std::uint64_t{40} + sender, ~std::uint64_t{0}, 12};
+  return {{sender},
+          std::uint64_t{1'700'000'000'000} + sender,
+          std::uint64_t{40} + sender,
+          ~std::uint64_t{0},
+          12};
 }
 
 /// Something in every field.
@@ -81,7 +84,8 @@ TEST(Record, HoldsMoreThanTheRoomItBeganWith) {
     mission.arcs[a].waypoints.resize(9, {Vec3(a, 0.1, -3), Vec3(0, 0, 1)});
   }
   mission.fleet = {{{7}, Vec3(1, 2, 3), 2.5}};
-  mission.airspace = {Vec3(0, 1, 3), 0.5, {4, 3, 2}, {20, 4}, {{{2}, 1, {{Vec3(1, 0, 0)}}}}};
+  mission.airspace = {
+      Vec3(0, 1, 3), 0.5, {4, 3, 2}, {20, 4}, {{{2}, 1, {AccessPoint{Vec3(1, 0, 0)}}}}};
   mission.auction.split_m = 0.1;
   const Mission again = decode<Mission>(encode(mission));
   EXPECT_EQ(digest(again), digest(mission));

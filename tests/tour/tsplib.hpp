@@ -16,8 +16,8 @@ struct PairedInstance {
   double best_tour_m = 0;
 };
 
-/// Reads NAME.tsp, NAME.PAIRING.pairs and arc_reference.csv; an instance without arcs where a file
-/// is absent.
+/// Reads NAME.tsp, NAME.PAIRING.pairs and arc_reference.csv; an instance without arcs where there
+/// is no NAME.tsp.
 PairedInstance load_instance(const std::filesystem::path& folder, const std::string& name,
                              const std::string& pairing);
 

@@ -183,10 +183,17 @@ Keys<AuctionSettings> auction_keys() {
 Keys<TourSettings> tour_keys() {
   using T = TourSettings;
   return {
+      key("solver", &T::solver, choice(enumerators<TourSolver>(tour_solver_names)),
+          "How an agent orders the arcs it won: along the ring alone, as the paper does, or "
+          "improved "
+          "by local search."),
       key("seed", &T::seed, number<std::uint64_t>(0, 4294967295),
-          "Seed of the order in which arcs are shown to the ring (CRSOM)."),
+          "Seed of the order in which arcs are shown to the ring (CRSOM), and of the local "
+          "search."),
       key("epochs", &T::epochs, number<std::uint32_t>(1, 100000),
           "How often the whole arc set is shown to the ring."),
+      key("iterations", &T::iterations, number<std::uint32_t>(0, 100000000),
+          "How often the local search disturbs and repairs the tour; about 100,000 a second."),
   };
 }
 

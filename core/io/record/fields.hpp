@@ -186,8 +186,10 @@ ARCBID_RECORD(AuctionSettings) {
   v("barrier_ns", s.barrier_ns);
 }
 ARCBID_RECORD(TourSettings) {
+  v("solver", s.solver);
   v("seed", s.seed);
   v("epochs", s.epochs);
+  v("iterations", s.iterations);
 }
 ARCBID_RECORD(AccessPoint) {
   v("position_m", s.position_m);

@@ -36,7 +36,8 @@ class JsonWriter {
                                  : nlohmann::json(fmt::format("{:016x}", value));
     } else if constexpr (std::same_as<T, bool> || Number<T> || std::same_as<T, std::string>)
       return value;
-    else if constexpr (std::same_as<T, PolicyKind> || std::same_as<T, ScoreKind>)
+    else if constexpr (std::same_as<T, PolicyKind> || std::same_as<T, ScoreKind> ||
+                       std::same_as<T, TourSolver>)
       return name_of(value);
     else if constexpr (std::same_as<T, ArcKind>)
       return name(value);
