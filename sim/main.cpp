@@ -20,6 +20,7 @@
 #include "sim/commands/plan_command.hpp"
 #include "sim/commands/replay_command.hpp"
 #include "sim/commands/sim_command.hpp"
+#include "sim/commands/tour_command.hpp"
 #include "sim/commands/view_command.hpp"
 #include "sim/commands/whatif_command.hpp"
 #include "sim/launcher/launch.hpp"
@@ -197,6 +198,7 @@ int main(int argc, char** argv) {
   const DoctorCommand doctor(app);
   const PlanCommand plan(app);
   const CertifyCommand certify_again(app);
+  const TourCommand tour(app);
   CLI::App* reference_command =
       app.add_subcommand("config-reference", "print every key of a config, its range and default");
   return run_command_line(app, argc, argv, [&] {
@@ -216,6 +218,7 @@ int main(int argc, char** argv) {
       std::signal(SIGTERM, SIG_DFL);
       return plan.parsed() ? plan.run() : certify_again.run();
     }
+    if (tour.parsed()) return tour.run();
     if (check_command->parsed()) return check_again(directory);
     if (picture_command->parsed()) fmt::print("{}", draw_routes(directory));
     if (reference_command->parsed()) fmt::print("{}", config_reference());
