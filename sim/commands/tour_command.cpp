@@ -8,7 +8,7 @@
 
 #include "core/io/tsplib/tsplib.hpp"
 #include "sim/commands/choices.hpp"
-#include "sim/tour/solve.hpp"
+#include "sim/tour/rivals.hpp"
 
 namespace arcbid {
 namespace {
@@ -25,6 +25,9 @@ json order_of(const Tour& tour, const PairedCities& instance) {
   }
   return out;
 }
+
+constexpr std::array<std::string_view, 5> solver_names{
+    tour_solver_names[0], tour_solver_names[1], rival_names[0], rival_names[1], rival_names[2]};
 
 void write(const std::string& file, const json& answer) {
   const std::string text = answer.dump() + "\n";
@@ -45,7 +48,7 @@ TourCommand::TourCommand(CLI::App& app)
       epochs_(TourSettings{}.epochs) {
   command_->add_option("instance", tsp_, "TSPLIB file with coordinates")->required();
   command_->add_option("--pairs", pairs_, "two cities a line: the arcs")->required();
-  command_->add_option("--solver", solver_, "crsom, crsom+ls (default)");
+  command_->add_option("--solver", solver_, "crsom, crsom+ls (default), or a rival: ga, aco, pso");
   command_->add_option("--deadline-ms", deadline_ms_, "how long to look, by the clock (100)")
       ->check(CLI::Range(0.0, 1e8));
   command_->add_option("--iterations", iterations_,
@@ -57,15 +60,20 @@ TourCommand::TourCommand(CLI::App& app)
 }
 
 Exit TourCommand::run() const {
-  const TourSettings settings{.solver = by_name<TourSolver>(tour_solver_names, solver_),
-                              .seed = seed_,
-                              .epochs = epochs_,
-                              .iterations = 0};
+  const auto solver = by_name<std::size_t>(solver_names, solver_);
   const PairedCities instance = read_paired_cities(tsp_, pairs_);
   // At home on an end of an arc, the best tour through home is the best tour.
+  const Vec3& home_m = instance.arcs.front().first_m;
+  const StraightTransit straight;
+  const TourEffort effort{.deadline_s = deadline_ms_ * 1e-3, .iterations = iterations_};
   const SolvedTour solved =
-      solve_tour(instance.arcs, instance.arcs.front().first_m, StraightTransit(), settings,
-                 {.deadline_s = deadline_ms_ * 1e-3, .iterations = iterations_});
+      solver < tour_solver_names.size()
+          ? solve_tour(
+                instance.arcs, home_m, straight,
+                {.solver = static_cast<TourSolver>(solver), .seed = seed_, .epochs = epochs_},
+                effort)
+          : solve_by(static_cast<Rival>(solver - tour_solver_names.size()), instance.arcs, home_m,
+                     straight, seed_, effort);
   const json answer{{"length", solved.tour.total_m},
                     {"connecting", solved.tour.connecting_m},
                     {"seconds", solved.seconds},
