@@ -50,7 +50,7 @@ AuctionSettings decode(const wire::AuctionSettings& settings, Verdict& verdict) 
   AuctionSettings out;
   out.policy =
       enumerator<PolicyKind>(settings.policy(), wire::POLICY_ACBBA, "auction.policy", verdict);
-  out.score = enumerator<ScoreKind>(settings.score(), wire::SCORE_DISCOUNTED_INSERT_WARPED,
+  out.score = enumerator<ScoreKind>(settings.score(), wire::SCORE_MINIMAX_LONG_FIRST,
                                     "auction.score", verdict);
   out.discount_per_s = settings.discount_per_s();
   verdict.require(std::isfinite(out.discount_per_s) && out.discount_per_s > 0,

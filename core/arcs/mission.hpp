@@ -31,7 +31,8 @@ enum class ScoreKind : std::uint8_t {
   independent,
   discounted_append,
   discounted_insert,  ///< bids are not warped: the auction may cycle for ever
-  discounted_insert_warped
+  discounted_insert_warped,
+  minimax_long_first
 };
 
 /// How an agent orders the arcs it won; core/tour/tour.hpp.
@@ -40,9 +41,10 @@ enum class TourSolver : std::uint8_t { crsom, crsom_ls };
 /// Their names in configs, logs and on command lines, in the order of the enumerators.
 inline constexpr std::array<std::string_view, 5> policy_names{"claims", "claims-keep", "cbba",
                                                               "cbba-rebuild", "acbba"};
-inline constexpr std::array<std::string_view, 6> score_names{
+inline constexpr std::array<std::string_view, 7> score_names{
     "minimax",           "minisum",           "independent",
-    "discounted-append", "discounted-insert", "discounted-insert-warped"};
+    "discounted-append", "discounted-insert", "discounted-insert-warped",
+    "minimax-long-first"};
 inline constexpr std::array<std::string_view, 2> tour_solver_names{"crsom", "crsom+ls"};
 constexpr std::string_view name_of(PolicyKind policy) {
   return policy_names[static_cast<std::size_t>(policy)];

@@ -13,9 +13,11 @@ std::unique_ptr<PathScore> make_score(const TaskSet& set, const Uav& uav,
   const double rho = settings.discount_per_s;
   switch (settings.score) {
     case ScoreKind::minimax:
+      return std::make_unique<DistanceScore>(set, uav, transit, DistanceScore::Gain::whole_tour);
+    case ScoreKind::minimax_long_first:
+      return std::make_unique<DistanceScore>(set, uav, transit, DistanceScore::Gain::long_first);
     case ScoreKind::minisum:
-      return std::make_unique<DistanceScore>(set, uav, transit,
-                                             settings.score == ScoreKind::minimax);
+      return std::make_unique<DistanceScore>(set, uav, transit, DistanceScore::Gain::added);
     case ScoreKind::independent:
     case ScoreKind::discounted_append:
       return std::make_unique<AppendScore>(set, uav, transit, rho,

@@ -53,6 +53,9 @@ class PathScore {
 
 /// The score that the mission asks for, for one UAV:
 /// - minimax (Lagoudakis et al. 2005): minus the completion time of the whole path;
+/// - minimax_long_first: the same and twice the task's own time: whoever can take a long arc
+/// without
+///   a long way does so early, and short ones fill up what is left;
 /// - minisum: minus the time the task adds to it;
 /// - independent: v_j exp(-rho t), t the time to do task j alone, coming from home;
 /// - discounted_append (Choi, Brunet, How 2009): v_j exp(-rho t_j), t_j the time at which j is done

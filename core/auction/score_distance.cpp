@@ -15,9 +15,8 @@ void DistanceScore::Lengths::resize(std::size_t size) {
   for (auto* lengths : {&to_first, &to_last, &from_first, &from_last}) lengths->resize(size);
 }
 
-DistanceScore::DistanceScore(const TaskSet& set, const Uav& uav, const Transit& transit,
-                             bool whole_tour)
-    : set_(set), uav_(uav), transit_(transit), whole_tour_(whole_tour) {
+DistanceScore::DistanceScore(const TaskSet& set, const Uav& uav, const Transit& transit, Gain gain)
+    : set_(set), uav_(uav), transit_(transit), gain_(gain) {
   assign({});
 }
 
@@ -105,8 +104,11 @@ DistanceScore::Cached& DistanceScore::known(TaskId task) {
 }
 
 double DistanceScore::gain(double detour_m, TaskId task) const {
-  const double added_m = detour_m + set_.tasks[task.value].length_m();
-  return -(whole_tour_ ? tour_m_ + added_m : added_m) / uav_.speed_mps;
+  const double length_m = set_.tasks[task.value].length_m();
+  const double added_m = detour_m + length_m;
+  if (gain_ == Gain::added) return -added_m / uav_.speed_mps;
+  const double whole_m = tour_m_ + added_m;
+  return -(gain_ == Gain::long_first ? whole_m - 2 * length_m : whole_m) / uav_.speed_mps;
 }
 
 /// Of a task that was never scanned: to do more is not shorter, but for rounding. Against rivals

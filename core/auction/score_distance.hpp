@@ -14,16 +14,19 @@ namespace arcbid {
 /// the exact one. Lengths are asked for many at once: it is what most of an auction's time goes to.
 class DistanceScore final : public PathScore {
  public:
-  /// `whole_tour`: MiniMax, minus the time of the whole tour, which has diminishing gains because
-  /// transits obey the triangle inequality. Else MiniSum, minus the time added, which has not.
-  DistanceScore(const TaskSet& set, const Uav& uav, const Transit& transit, bool whole_tour);
+  /// What a task gains. whole_tour: MiniMax, minus the time of the whole tour, which has
+  /// diminishing gains because transits obey the triangle inequality. long_first: the same and
+  /// twice the task's own time, which does not change while the path grows, so that gains diminish
+  /// too. added: MiniSum, minus the time added; its gains do not.
+  enum class Gain : std::uint8_t { whole_tour, long_first, added };
+  DistanceScore(const TaskSet& set, const Uav& uav, const Transit& transit, Gain gain);
 
   void assign(std::vector<PathStop> path) override;
   Insertion best(TaskId task) override;
   Bound bound(TaskId task) override;
   void insert(TaskId task, const Insertion& where) override;
   void retire(TaskId task) override;
-  bool diminishing() const override { return whole_tour_; }
+  bool diminishing() const override { return gain_ != Gain::added; }
   const std::vector<PathStop>& path() const override { return path_; }
 
  private:
@@ -55,7 +58,7 @@ class DistanceScore final : public PathScore {
   const TaskSet& set_;
   const Uav uav_;
   const Transit& transit_;
-  const bool whole_tour_;
+  const Gain gain_;
   std::vector<PathStop> path_;
   Points before_;                   // before_[l]: from where position l is flown to; home first
   Points after_;                    // after_[l]: to where from there; home last, where all return

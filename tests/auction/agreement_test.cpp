@@ -139,7 +139,8 @@ TEST(Agreement, IsNeverProvenTooEarly) {
 TEST(Agreement, HoldsForEveryScoreAndPolicy) {
   for (const PolicyKind policy : {PolicyKind::claims, PolicyKind::cbba})
     for (const ScoreKind score :
-         {ScoreKind::minimax, ScoreKind::minisum, ScoreKind::discounted_insert_warped})
+         {ScoreKind::minimax, ScoreKind::minisum, ScoreKind::discounted_insert_warped,
+          ScoreKind::minimax_long_first})
       for (std::uint64_t seed = 1; seed <= 8; ++seed) {
         SCOPED_TRACE(std::to_string(int(policy)) + "/" + std::to_string(int(score)) + "/" +
                      std::to_string(seed));

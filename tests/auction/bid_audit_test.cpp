@@ -15,7 +15,8 @@ using ::testing::HasSubstr;
 
 constexpr std::array scores{ScoreKind::minimax,           ScoreKind::minisum,
                             ScoreKind::independent,       ScoreKind::discounted_append,
-                            ScoreKind::discounted_insert, ScoreKind::discounted_insert_warped};
+                            ScoreKind::discounted_insert, ScoreKind::discounted_insert_warped,
+                            ScoreKind::minimax_long_first};
 
 /// A mission, and the second of its three agents with all that it states.
 struct Audited {

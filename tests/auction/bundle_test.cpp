@@ -59,16 +59,17 @@ std::vector<Belief> random_rivals(const RealBundle& real, Dice& dice) {
   for (Belief& rival : rivals)
     if (dice.unit() < 0.7) {
       const ScoreKind kind = real.mission.auction.score;
-      const bool cost = kind == ScoreKind::minimax || kind == ScoreKind::minisum;
+      const bool cost = kind == ScoreKind::minimax || kind == ScoreKind::minimax_long_first ||
+                        kind == ScoreKind::minisum;
       rival = {AgentId{dice.unit() < 0.5 ? 1u : 3u}, (cost ? -200 : 10) * dice.unit()};
     }
   return rivals;
 }
 
 constexpr ScoreKind all_scores[] = {
-    ScoreKind::minimax,           ScoreKind::minisum,
-    ScoreKind::independent,       ScoreKind::discounted_append,
-    ScoreKind::discounted_insert, ScoreKind::discounted_insert_warped};
+    ScoreKind::minimax,           ScoreKind::minisum,           ScoreKind::independent,
+    ScoreKind::discounted_append, ScoreKind::discounted_insert, ScoreKind::discounted_insert_warped,
+    ScoreKind::minimax_long_first};
 
 TEST(Beats, AnyBidWinsAgainstNone) {
   EXPECT_TRUE(beats(-1e300, {9}, {}));

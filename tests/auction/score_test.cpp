@@ -52,10 +52,11 @@ bool appends(ScoreKind kind) {
   return kind == ScoreKind::independent || kind == ScoreKind::discounted_append;
 }
 bool rewards(ScoreKind kind) {
-  return kind != ScoreKind::minimax && kind != ScoreKind::minisum;
+  return kind != ScoreKind::minimax && kind != ScoreKind::minimax_long_first &&
+         kind != ScoreKind::minisum;
 }
 bool diminishes(ScoreKind kind) {
-  return kind == ScoreKind::minimax || appends(kind);
+  return kind == ScoreKind::minimax || kind == ScoreKind::minimax_long_first || appends(kind);
 }
 
 /// The plain reading of the scores.
@@ -96,6 +97,8 @@ struct Naive {
     if (settings.score == ScoreKind::independent) return reward({{task, reversed}});
     if (rewards(settings.score)) return reward(longer) - reward(path);
     if (settings.score == ScoreKind::minimax) return -metres(longer) / uav.speed_mps;
+    if (settings.score == ScoreKind::minimax_long_first)
+      return (2 * set.tasks[task.value].length_m() - metres(longer)) / uav.speed_mps;
     return -(metres(longer) - metres(path)) / uav.speed_mps;
   }
 
@@ -180,7 +183,8 @@ INSTANTIATE_TEST_SUITE_P(All, Score,
                          ::testing::Values(ScoreKind::minimax, ScoreKind::minisum,
                                            ScoreKind::independent, ScoreKind::discounted_append,
                                            ScoreKind::discounted_insert,
-                                           ScoreKind::discounted_insert_warped),
+                                           ScoreKind::discounted_insert_warped,
+                                           ScoreKind::minimax_long_first),
                          name_of);
 
 TEST_P(Score, EqualsAFullRecomputation) {
@@ -260,6 +264,7 @@ double largest_rise(ScoreKind kind) {
 
 TEST(Gains, DiminishUnderMiniMax) {
   EXPECT_LT(largest_rise(ScoreKind::minimax), 1e-9);
+  EXPECT_LT(largest_rise(ScoreKind::minimax_long_first), 1e-9);
 }
 
 TEST(Gains, DiminishWhereTasksAreAddedAtTheEnd) {

@@ -157,6 +157,7 @@ Keys<AuctionSettings> auction_keys() {
       key("score", &A::score, choice(enumerators<ScoreKind>(score_names)),
           "What a bid rewards: an early end of the agent's whole tour, a short detour, nearness to "
           "home, or an early visit: at the end of the path or where it fits best. "
+          "`minimax-long-first` is minimax that takes long arcs while there is room for them. "
           "`discounted-insert` bids without warping and may cycle for ever."),
       key("discount_per_s", &A::discount_per_s, number<double>(1e-6, 10),
           "Rate at which the discounted scores fall with time."),

@@ -28,6 +28,8 @@ class Worth {
     switch (settings_.score) {
       case ScoreKind::minimax:
         return -closed_path_s(pieces_, uav_, longer, transit_);
+      case ScoreKind::minimax_long_first:
+        return 2 * length_m(task) / uav_.speed_mps - closed_path_s(pieces_, uav_, longer, transit_);
       case ScoreKind::independent:
         return std::max(sum({{task, false}}), sum({{task, true}}));
       default:
@@ -51,10 +53,16 @@ class Worth {
     return sum;
   }
 
+  /// Gains that do not ask for S before.
+  bool is_whole_tour() const {
+    return settings_.score == ScoreKind::minimax ||
+           settings_.score == ScoreKind::minimax_long_first;
+  }
+
   double best_gain(const Path& path, TaskId task) const {
     const bool at_end = settings_.score == ScoreKind::discounted_append ||
                         settings_.score == ScoreKind::independent;
-    const double before = settings_.score == ScoreKind::minimax ? 0 : sum(path);
+    const double before = is_whole_tour() ? 0 : sum(path);
     double best = -infinity;
     for (std::size_t l = at_end ? path.size() : 0; l <= path.size(); ++l)
       for (const bool reversed : {false, true}) {
@@ -66,6 +74,11 @@ class Worth {
   }
 
  private:
+  double length_m(TaskId task) const {
+    const Stretch& piece = pieces_.at(task.value);
+    return piece.to_m - piece.from_m;
+  }
+
   const AuctionSettings& settings_;
   const std::vector<Stretch>& pieces_;
   const Uav& uav_;
