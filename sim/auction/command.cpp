@@ -10,7 +10,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "sim/auction/arc_instance.hpp"
 #include "sim/auction/evaluate.hpp"
+#include "sim/auction/fleet_run.hpp"
 #include "sim/auction/rounds.hpp"
 
 namespace arcbid {
@@ -84,7 +86,9 @@ void print_table(const RoundsOutcome& outcome, const Evaluation& value, double c
 }  // namespace
 
 struct AuctionCommand::Arguments {
-  std::string agents, tasks, values = "unit", json;
+  std::string agents, tasks, values = "unit", json, instance;
+  TradesKind trades = TradesKind::full;
+  double split_m = 0;
   AuctionSettings settings;
   Graph graph = Graph::complete;
   bool orders = false;
@@ -94,13 +98,13 @@ AuctionCommand::AuctionCommand(CLI::App& app) : arguments_(std::make_unique<Argu
   Arguments& a = *arguments_;
   a.settings.score = ScoreKind::discounted_append;
   CLI::App* command = app.add_subcommand(
-      "auction", "run one instance of point tasks in synchronous rounds, all agents in one thread");
-  command->add_option("--agents", a.agents, "CSV: agent,x,y,z,speed")
-      ->required()
-      ->check(CLI::ExistingFile);
-  command->add_option("--tasks", a.tasks, "CSV: task,x,y,z,value_unit,value_weighted")
-      ->required()
-      ->check(CLI::ExistingFile);
+      "auction", "run one instance in synchronous rounds, all agents in one thread");
+  auto* points = command->add_option("--agents", a.agents, "points: CSV: agent,x,y,z,speed")
+                     ->check(CLI::ExistingFile);
+  points->needs(
+      command->add_option("--tasks", a.tasks, "points: CSV: task,x,y,z,value_unit,value_weighted")
+          ->check(CLI::ExistingFile));
+  add_arc_options(*command, *points);
   command->add_option("--values", a.values, "which value column: unit, weighted")
       ->check(CLI::IsMember({"unit", "weighted"}));
   command->add_option("--policy", a.settings.policy, "how agents come to agree")
@@ -125,8 +129,42 @@ bool AuctionCommand::parsed() const {
   return command_->parsed();
 }
 
+/// Arcs, home to home.
+void AuctionCommand::add_arc_options(CLI::App& command, CLI::Option& points) {
+  Arguments& a = *arguments_;
+  auto* arcs = command
+                   .add_option("--instance", a.instance,
+                               "arcs: JSON with agents and arcs; prints one JSON object")
+                   ->check(CLI::ExistingFile)
+                   ->excludes(&points);
+  command
+      .add_option("--trades", a.trades,
+                  "arcs: what is exchanged after the auction: off, cheap, full")
+      ->transform(CLI::CheckedTransformer(by_name<TradesKind>(trades_names)))
+      ->needs(arcs);
+  command.add_option("--split", a.split_m, "arcs: piece length in m (0: the arcs as they are)")
+      ->check(CLI::Range(0.0, 1e6))
+      ->needs(arcs);
+}
+
+Exit AuctionCommand::run_arcs() const {
+  const Arguments& a = *arguments_;
+  Mission mission = read_arc_instance(a.instance);
+  mission.auction = a.settings;
+  if (command_->get_option("--score")->empty())
+    mission.auction.score = ScoreKind::minimax_long_first;
+  mission.auction.split_m = a.split_m > 0 ? a.split_m : 1e9;
+  const FleetRun run = run_fleet(mission, a.graph, a.trades);
+  fmt::print("{}\n", to_json(run));
+  const bool whole = run.unassigned == 0 || a.settings.bundle_limit > 0;
+  return run.converged && run.agreed && whole ? Exit::done : Exit::check_failed;
+}
+
 Exit AuctionCommand::run() const {
   const Arguments& a = *arguments_;
+  if (!a.instance.empty()) return run_arcs();
+  if (a.agents.empty())
+    throw InputError("auction: needs --agents and --tasks (points) or --instance (arcs)");
   const Instance instance = read_instance(a.agents, a.tasks, "value_" + a.values);
   const double before = cpu_s();
   const RoundsOutcome outcome =

@@ -8,7 +8,8 @@
 
 namespace arcbid {
 
-/// `arcbid auction`: one instance of points in synchronous rounds, all agents in one thread.
+/// `arcbid auction`: one instance of points, or of arcs, in synchronous rounds, all agents in one
+/// thread.
 class AuctionCommand {
  public:
   explicit AuctionCommand(CLI::App& app);
@@ -18,6 +19,9 @@ class AuctionCommand {
 
  private:
   struct Arguments;
+  void add_arc_options(CLI::App& command, CLI::Option& points);
+  Exit run_arcs() const;
+
   std::unique_ptr<Arguments> arguments_;
   const CLI::App* command_;
 };

@@ -26,7 +26,7 @@ class RoundsProtocol {
   /// Whether every agent has proof that this is final. Policies without a proof never say so.
   virtual bool proven() const { return false; }
   virtual bool agreed() const = 0;
-  virtual std::vector<std::vector<TaskId>> paths() const = 0;
+  virtual std::vector<std::vector<PathStop>> paths() const = 0;
 };
 
 struct RoundsWorld {
@@ -44,8 +44,6 @@ struct RoundsWorld {
 std::unique_ptr<RoundsProtocol> cbba_rounds(const RoundsWorld& world);
 std::unique_ptr<RoundsProtocol> acbba_rounds(const RoundsWorld& world);
 std::unique_ptr<RoundsProtocol> claims_rounds(const RoundsWorld& world);
-
-std::vector<TaskId> tasks_of(const std::vector<PathStop>& path);
 
 /// Sizes of what travels, without padding, as fixed by the figures that others are compared with.
 inline constexpr std::uint64_t message_bytes = 16, statement_bytes = 12, claim_bytes = 10,

@@ -65,12 +65,6 @@ std::vector<AgentId> RoundsWorld::roster() const {
   return roster;
 }
 
-std::vector<TaskId> tasks_of(const std::vector<PathStop>& path) {
-  std::vector<TaskId> tasks;
-  for (const PathStop& stop : path) tasks.push_back(stop.task);
-  return tasks;
-}
-
 RoundsOutcome run_rounds(const Instance& instance, const AuctionSettings& settings, Graph graph,
                          Encoding encoding) {
   const StraightTransit transit;
@@ -92,7 +86,11 @@ RoundsOutcome run_rounds(const Instance& instance, const AuctionSettings& settin
     }
     outcome.converged = outcome.proof_round > 0 || round - outcome.last_change_round >= quiet;
   }
-  outcome.paths = protocol->paths();
+  outcome.stops = protocol->paths();
+  for (const auto& stops : outcome.stops) {
+    auto& path = outcome.paths.emplace_back();
+    for (const PathStop& stop : stops) path.push_back(stop.task);
+  }
   outcome.agreed = protocol->agreed();
   outcome.messages = until_change.messages;
   outcome.sends = until_change.sends;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/arcs/mission.hpp"
+#include "core/auction/score.hpp"
 #include "sim/auction/instance.hpp"
 
 namespace arcbid {
@@ -18,11 +19,12 @@ std::size_t diameter(Graph graph, std::size_t agents);
 
 /// What an auction in synchronous rounds came to.
 struct RoundsOutcome {
-  std::vector<std::vector<TaskId>> paths;  ///< p_i, in flying order
-  std::size_t last_change_round = 0;       ///< the last one in which anybody's mind changed
-  std::size_t proof_round = 0;             ///< when the last agent had a proof; 0: no such thing
-  bool converged = false;                  ///< quiet for 2 D + 2 rounds; else it was cut off
-  bool agreed = false;                     ///< all believe the same winners and bids
+  std::vector<std::vector<TaskId>> paths;    ///< p_i, in flying order
+  std::vector<std::vector<PathStop>> stops;  ///< the same with directions
+  std::size_t last_change_round = 0;         ///< the last one in which anybody's mind changed
+  std::size_t proof_round = 0;               ///< when the last agent had a proof; 0: no such thing
+  bool converged = false;                    ///< quiet for 2 D + 2 rounds; else it was cut off
+  bool agreed = false;                       ///< all believe the same winners and bids
   std::uint64_t messages = 0;  ///< sender to neighbour, until the last change (or proof)
   std::uint64_t sends = 0;     ///< the same, one send reaching all neighbours
   std::uint64_t bytes = 0;     ///< of these sends: whole tables or statements, and what is held

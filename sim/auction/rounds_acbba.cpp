@@ -44,9 +44,9 @@ class AcbbaRounds final : public RoundsProtocol {
     });
   }
 
-  std::vector<std::vector<TaskId>> paths() const override {
-    std::vector<std::vector<TaskId>> paths;
-    for (const AcbbaState& agent : agents_) paths.push_back(tasks_of(agent.bundle().path()));
+  std::vector<std::vector<PathStop>> paths() const override {
+    std::vector<std::vector<PathStop>> paths;
+    for (const AcbbaState& agent : agents_) paths.push_back(agent.bundle().path());
     return paths;
   }
 

@@ -47,9 +47,9 @@ class CbbaRounds final : public RoundsProtocol {
     });
   }
 
-  std::vector<std::vector<TaskId>> paths() const override {
-    std::vector<std::vector<TaskId>> paths;
-    for (const CbbaState& agent : agents_) paths.push_back(tasks_of(agent.bundle().path()));
+  std::vector<std::vector<PathStop>> paths() const override {
+    std::vector<std::vector<PathStop>> paths;
+    for (const CbbaState& agent : agents_) paths.push_back(agent.bundle().path());
     return paths;
   }
 

@@ -57,9 +57,9 @@ class ClaimsRounds final : public RoundsProtocol {
     });
   }
 
-  std::vector<std::vector<TaskId>> paths() const override {
-    std::vector<std::vector<TaskId>> paths;
-    for (const Member& agent : agents_) paths.push_back(tasks_of(agent.policy->path()));
+  std::vector<std::vector<PathStop>> paths() const override {
+    std::vector<std::vector<PathStop>> paths;
+    for (const Member& agent : agents_) paths.push_back(agent.policy->path());
     return paths;
   }
 

@@ -23,9 +23,9 @@ const std::map<std::string, std::set<std::string>> legal_edges = {
 };
 const std::set<std::string> free_folders = {"tests", "bench"};  // may depend on everything
 
-const std::vector<std::string> deciding_modules = {"core/base/",     "core/arcs/", "core/auction/",
-                                                   "core/faults/",   "core/tour/", "core/route/",
-                                                   "core/structure/"};
+const std::vector<std::string> deciding_modules = {
+    "core/base/", "core/arcs/",   "core/auction/", "core/faults/",
+    "core/tour/", "core/trades/", "core/route/",   "core/structure/"};
 
 bool is_deciding(const std::string& path) {
   return std::any_of(deciding_modules.begin(), deciding_modules.end(),

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/auction/fleet_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <utility>
+
+#include "core/route/exchanged.hpp"
+#include "core/route/route.hpp"
+#include "sim/auction/protocol.hpp"
+
+namespace arcbid {
+namespace {
+
+/// CPU time of this thread, seconds, since the last time it was asked.
+class Stopwatch {
+ public:
+  double lap_s() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    const double now_s = static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+    return now_s - std::exchange(last_s_, now_s);
+  }
+
+ private:
+  double last_s_ = 0;
+};
+
+double mean(const std::vector<double>& shares) {
+  return std::accumulate(shares.begin(), shares.end(), 0.0) / static_cast<double>(shares.size());
+}
+
+double variance(const std::vector<double>& shares) {
+  double sum = 0;
+  for (const double share : shares) sum += (share - mean(shares)) * (share - mean(shares));
+  return sum / static_cast<double>(shares.size());
+}
+
+double ratio(double part, double whole) {
+  return whole > 0 ? part / whole : 0;
+}
+
+}  // namespace
+
+FleetRun run_fleet(const Mission& mission, Graph graph, TradesKind trades) {
+  Stopwatch watch;
+  watch.lap_s();
+  const Instance instance{mission.fleet,
+                          split(mission.arcs, mission.auction.split_m, mission.auction.max_tasks)};
+  const RoundsOutcome won = run_rounds(instance, mission.auction, graph);
+  FleetRun run;
+  run.converged = won.converged;
+  run.agreed = won.agreed;
+  run.tasks = run.unassigned = instance.tasks.tasks.size();
+  for (const auto& path : won.stops) run.unassigned -= path.size();
+  run.auction_cpu_s = watch.lap_s();
+  const StraightTransit transit;
+  const FleetPaths after =
+      exchanged(mission.fleet, instance.tasks, won.stops, transit, trades, mission.tour.seed);
+  run.exchanges = after.exchanges;
+  run.trades_cpu_s = watch.lap_s();
+  for (std::size_t i = 0; i < mission.fleet.size(); ++i) {
+    const Route route =
+        plan_route(mission, instance.tasks, after.paths[i], mission.fleet[i], transit);
+    run.times_s.push_back(route.time_s);
+    run.total_length_m += route.length_m;
+    auto& flown = run.routes.emplace_back();
+    for (const RouteLeg& leg : route.legs)
+      if (leg.arc) flown.push_back({leg.arc->value, leg.from_m, leg.to_m});
+  }
+  run.tours_cpu_s = watch.lap_s();
+  return run;
+}
+
+std::string to_json(const FleetRun& run) {
+  nlohmann::json routes = nlohmann::json::array();
+  std::vector<double> counts;
+  for (const auto& pieces : run.routes) {
+    nlohmann::json route = nlohmann::json::array();
+    for (const FlownPiece& piece : pieces) route.push_back({piece.arc, piece.from_m, piece.to_m});
+    routes.push_back(route);
+    counts.push_back(static_cast<double>(pieces.size()));
+  }
+  const auto uniformity = [](const std::vector<double>& shares) {
+    return 1 / (variance(shares) + 1);
+  };
+  const double fleet = static_cast<double>(run.routes.size());
+  return nlohmann::json{
+      {"makespan_s", *std::max_element(run.times_s.begin(), run.times_s.end())},
+      {"total_length_m", run.total_length_m},
+      {"uniformity", {{"count", uniformity(counts)}, {"time", uniformity(run.times_s)}}},
+      {"cv_time", ratio(std::sqrt(variance(run.times_s)), mean(run.times_s))},
+      {"exchanges", run.exchanges},
+      {"cpu_s", run.auction_cpu_s + run.trades_cpu_s + run.tours_cpu_s},
+      {"cpu",
+       {{"auction_fleet_s", run.auction_cpu_s},
+        {"trades_agent_s", run.trades_cpu_s},
+        {"tours_fleet_s", run.tours_cpu_s},
+        {"fleet_s", run.auction_cpu_s + fleet * run.trades_cpu_s + run.tours_cpu_s}}},
+      {"tasks", run.tasks},
+      {"unassigned", run.unassigned},
+      {"converged", run.converged},
+      {"agreed", run.agreed},
+      {"times_s", run.times_s},
+      {"routes", routes}}
+      .dump();
+}
+
+}  // namespace arcbid

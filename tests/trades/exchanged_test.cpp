@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/route/exchanged.hpp"
+
+#include <gmock/gmock.h>
+
+#include <random>
+
+#include "core/route/route.hpp"
+
+namespace arcbid {
+namespace {
+
+using Paths = std::vector<std::vector<PathStop>>;
+
+/// Long and short arcs, cut into pieces that go to anybody, some to nobody.
+struct Won {
+  explicit Won(std::uint64_t seed) {
+    std::mt19937_64 dice(seed);
+    const auto within = [&](double most) {
+      return std::uniform_real_distribution<double>(0, most)(dice);
+    };
+    for (std::uint32_t n = 0; n < 2 + seed % 5; ++n) {
+      const Vec3 first(within(100), within(100), within(30));
+      const Vec3 last = first + Vec3(1 + within(60), within(60), 0);
+      mission.arcs.push_back(
+          {{n}, ArcKind::outline, {{first, Vec3::UnitX()}, {last, Vec3::UnitX()}}});
+    }
+    for (std::uint32_t i = 0; i < 1 + seed % 4; ++i)
+      mission.fleet.push_back({{i + 1}, Vec3(within(100), within(100), 0), 1 + within(2)});
+    set = split(mission.arcs, 5, 1000);
+    paths.resize(mission.fleet.size());
+    for (const Task& task : set.tasks)
+      if (seed % 3 > 0 || dice() % 8 > 0)
+        paths[dice() % paths.size()].push_back({task.id, dice() % 2 == 0});
+  }
+  Mission mission;
+  TaskSet set;
+  Paths paths;
+  StraightTransit transit;
+
+  double slowest_s(const Paths& flown) const {
+    double slowest_s = 0;
+    for (std::size_t i = 0; i < flown.size(); ++i) {
+      Vec3 at = mission.fleet[i].home_m;
+      double metres = 0;
+      for (const PathStop& stop : flown[i]) {
+        const Task& task = set.tasks[stop.task.value];
+        metres += (at - (stop.reversed ? task.last_m : task.first_m)).norm() + task.length_m();
+        at = stop.reversed ? task.first_m : task.last_m;
+      }
+      metres += (at - mission.fleet[i].home_m).norm();
+      slowest_s = std::max(slowest_s, metres / mission.fleet[i].speed_mps);
+    }
+    return slowest_s;
+  }
+};
+
+std::vector<std::size_t> owners(const Paths& paths, std::size_t tasks) {
+  std::vector<std::size_t> count(tasks);
+  for (const auto& path : paths)
+    for (const PathStop& stop : path) ++count.at(stop.task.value);
+  return count;
+}
+
+TEST(Exchanged, FliesTheSameTasksOnceAndIsNeverSlower) {
+  std::size_t better = 0;
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Won won(seed);
+    const FleetPaths after = exchanged(won.mission.fleet, won.set, won.paths, won.transit,
+                                       TradesKind::cheap, won.mission.tour.seed);
+    EXPECT_EQ(owners(after.paths, won.set.tasks.size()), owners(won.paths, won.set.tasks.size()));
+    EXPECT_LE(won.slowest_s(after.paths), won.slowest_s(won.paths) + 1e-9);
+    better += won.slowest_s(after.paths) < 0.8 * won.slowest_s(won.paths);
+  }
+  EXPECT_GT(better, 90u);
+}
+
+TEST(Exchanged, OffLeavesWhatWasWon) {
+  const Won won(2);
+  const FleetPaths after =
+      exchanged(won.mission.fleet, won.set, won.paths, won.transit, TradesKind::off, 1);
+  EXPECT_EQ(after.paths, won.paths);
+  EXPECT_EQ(after.exchanges, 0u);
+}
+
+TEST(Exchanged, EveryMemberWorksOutTheSame) {
+  const Won won(7);
+  const auto work_out = [&] {
+    return exchanged(won.mission.fleet, won.set, won.paths, won.transit, TradesKind::cheap, 3)
+        .paths;
+  };
+  EXPECT_EQ(work_out(), work_out());
+}
+
+/// One long arc and two UAVs, one at either end: who won all of it hands half of it over.
+TEST(Exchanged, CutsAnArcThatIsLongBesideWhatOneFlies) {
+  Mission mission;
+  mission.arcs.push_back(
+      {{0}, ArcKind::outline, {{Vec3(0, 0, 0), Vec3::UnitX()}, {Vec3(100, 0, 0), Vec3::UnitX()}}});
+  mission.fleet = {{{1}, Vec3(0, 1, 0), 1}, {{2}, Vec3(100, 1, 0), 1}};
+  const TaskSet set = split(mission.arcs, 5, 1000);
+  Paths paths(2);
+  for (const Task& task : set.tasks) paths[0].push_back({task.id, false});
+  const StraightTransit transit;
+  const FleetPaths after = exchanged(mission.fleet, set, paths, transit, TradesKind::full, 1);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Route route = plan_route(mission, set, after.paths[i], mission.fleet[i], transit);
+    EXPECT_LT(route.length_m, 105) << "UAV " << i + 1;
+    EXPECT_EQ(route.pieces, 1u) << "UAV " << i + 1;
+  }
+}
+
+}  // namespace
+}  // namespace arcbid
