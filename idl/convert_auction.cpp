@@ -219,6 +219,7 @@ wire::Route to_wire(const RouteMessage& message) {
   out.header(encode(message.header));
   out.sender(message.header.sender.value);
   out.view_hash(message.view_hash);
+  out.owners_digest(message.owners_digest);
   out.length_m(message.length_m);
   out.time_s(message.time_s);
   for (const RouteLeg& leg : message.legs) out.legs().push_back(encode(leg));
@@ -237,6 +238,7 @@ Decoded<RouteMessage> from_wire(const wire::Route& message) {
   out.header = decode(message.header(), message.sender(), verdict);
   if (!verdict.accepted()) return verdict.on(RouteMessage{});
   out.view_hash = message.view_hash();
+  out.owners_digest = message.owners_digest();
   out.length_m = message.length_m();
   out.time_s = message.time_s();
   for (const wire::RouteLeg& leg : message.legs()) out.legs.push_back(decode(leg, verdict));

@@ -39,6 +39,7 @@ wire::AuctionSettings encode(const AuctionSettings& settings) {
   out.split_m(settings.split_m.value_or(0));
   out.max_tasks(settings.max_tasks);
   out.bundle_limit(settings.bundle_limit);
+  out.trades(static_cast<wire::TradesKind>(settings.trades));
   out.audit_bids(settings.audit_bids);
   out.tick_ns(settings.tick_ns);
   out.lease_ns(settings.lease_ns);
@@ -63,6 +64,8 @@ AuctionSettings decode(const wire::AuctionSettings& settings, Verdict& verdict) 
   out.max_tasks = settings.max_tasks();
   verdict.require(out.max_tasks > 0, "auction.max_tasks", out.max_tasks);
   out.bundle_limit = settings.bundle_limit();
+  out.trades =
+      enumerator<TradesKind>(settings.trades(), wire::TRADES_FULL, "auction.trades", verdict);
   out.audit_bids = settings.audit_bids();
   out.tick_ns = settings.tick_ns();
   verdict.require(out.tick_ns > 0, "auction.tick_ns", out.tick_ns);
@@ -90,7 +93,8 @@ TourSettings decode(const wire::TourSettings& settings, Verdict& verdict) {
 Arc decode(const wire::Arc& arc, std::size_t position, Verdict& verdict) {
   Arc out{ArcId{static_cast<std::uint32_t>(position)},
           enumerator<ArcKind>(arc.kind(), wire::ARC_GAP, "arc.kind", verdict),
-          decode(arc.waypoints(), verdict)};
+          decode(arc.waypoints(), verdict),
+          enumerator<Payload>(arc.payload(), wire::PAYLOAD_CAMERA, "arc.payload", verdict)};
   verdict.require(out.waypoints.size() >= 2, "arc.waypoints.size", out.waypoints.size());
   for (std::size_t i = 1; i < out.waypoints.size(); ++i)
     verdict.require(out.waypoints[i].position_m != out.waypoints[i - 1].position_m,
@@ -147,7 +151,14 @@ Uav decode(const wire::Uav& uav, std::uint32_t previous_id, Verdict& verdict) {
   verdict.require(uav.id() > previous_id, "fleet.id", uav.id());
   verdict.require(std::isfinite(uav.speed_mps()) && uav.speed_mps() > 0, "fleet.speed_mps",
                   uav.speed_mps());
-  return {AgentId{uav.id()}, decode(uav.home_m(), "fleet.home_m", verdict), uav.speed_mps()};
+  Uav out{AgentId{uav.id()}, decode(uav.home_m(), "fleet.home_m", verdict), uav.speed_mps()};
+  verdict.finite("fleet.endurance_s", uav.endurance_s());
+  if (uav.has_endurance()) {
+    out.endurance_s = uav.endurance_s();
+    verdict.require(*out.endurance_s > 0, "fleet.endurance_s", *out.endurance_s);
+  }
+  out.payload = enumerator<Payload>(uav.payload(), wire::PAYLOAD_CAMERA, "fleet.payload", verdict);
+  return out;
 }
 
 void check_sizes(const wire::Mission& mission, Verdict& verdict) {
@@ -175,6 +186,7 @@ wire::Mission to_wire(const Mission& mission) {
   out.arcs().resize(mission.arcs.size());
   for (std::size_t i = 0; i < mission.arcs.size(); ++i) {
     out.arcs()[i].kind(static_cast<wire::ArcKind>(mission.arcs[i].kind));
+    out.arcs()[i].payload(static_cast<wire::Payload>(mission.arcs[i].payload));
     out.arcs()[i].waypoints(encode(mission.arcs[i].waypoints));
   }
   out.fleet().resize(mission.fleet.size());
@@ -182,6 +194,9 @@ wire::Mission to_wire(const Mission& mission) {
     out.fleet()[i].id(mission.fleet[i].id.value);
     out.fleet()[i].home_m(encode(mission.fleet[i].home_m));
     out.fleet()[i].speed_mps(mission.fleet[i].speed_mps);
+    out.fleet()[i].has_endurance(mission.fleet[i].endurance_s.has_value());
+    out.fleet()[i].endurance_s(mission.fleet[i].endurance_s.value_or(0));
+    out.fleet()[i].payload(static_cast<wire::Payload>(mission.fleet[i].payload));
   }
   out.airspace(encode(mission.airspace));
   out.auction(encode(mission.auction));

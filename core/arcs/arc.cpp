@@ -71,7 +71,7 @@ std::uint64_t digest(const std::vector<Arc>& arcs) {
   Digest d;
   for (const Arc& arc : arcs) {
     d.add(std::uint64_t{arc.id.value}).add(static_cast<std::uint64_t>(arc.kind));
-    d.add(std::uint64_t{arc.waypoints.size()});
+    d.add(static_cast<std::uint64_t>(arc.payload)).add(std::uint64_t{arc.waypoints.size()});
     for (const Waypoint& w : arc.waypoints)
       for (int axis = 0; axis < 3; ++axis) d.add(w.position_m[axis]).add(w.look[axis]);
   }

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 #include <vector>
@@ -24,12 +26,24 @@ struct Waypoint {
 enum class ArcKind : std::uint8_t { outline, top_row, underside_row, gap };
 std::string_view name(ArcKind kind);
 
+/// The sensor that an arc needs, or that a UAV carries. `any` of an arc: it is all the same; of a
+/// UAV: it carries whatever is needed.
+enum class Payload : std::uint8_t { any, lidar, camera };
+inline constexpr std::array<std::string_view, 3> payload_names{"any", "lidar", "camera"};
+constexpr std::string_view name_of(Payload payload) {
+  return payload_names[static_cast<std::size_t>(payload)];
+}
+constexpr bool serves(Payload carried, Payload needed) {
+  return carried == needed || carried == Payload::any || needed == Payload::any;
+}
+
 /// L_arc,m of the paper (section 2.3): an open polyline that must be flown exactly once, in either
 /// direction. At least two waypoints; consecutive ones are distinct; length > 0.
 struct Arc {
   ArcId id;
   ArcKind kind = ArcKind::outline;
   std::vector<Waypoint> waypoints;
+  Payload payload = Payload::any;  ///< what it must be flown with
 };
 
 /// Sum of the segments' lengths, in the order of the waypoints.

@@ -19,6 +19,9 @@ struct Uav {
   AgentId id;
   Vec3 home_m = Vec3::Zero();
   double speed_mps = 1.0;
+  std::optional<double> endurance_s =
+      std::nullopt;                ///< longest flight, home to home; none: no limit
+  Payload payload = Payload::any;  ///< what it carries
 };
 
 /// How the fleet comes to agree; core/auction/policy.hpp says what each does.
@@ -35,6 +38,10 @@ enum class ScoreKind : std::uint8_t {
   minimax_long_first
 };
 
+/// Whether those who agreed exchange what they won, and how hard they look for what to exchange;
+/// core/trades/exchanges.hpp.
+enum class TradesKind : std::uint8_t { off, cheap, full };
+
 /// How an agent orders the arcs it won; core/tour/tour.hpp.
 enum class TourSolver : std::uint8_t { crsom, crsom_ls };
 
@@ -45,12 +52,16 @@ inline constexpr std::array<std::string_view, 7> score_names{
     "minimax",           "minisum",           "independent",
     "discounted-append", "discounted-insert", "discounted-insert-warped",
     "minimax-long-first"};
+inline constexpr std::array<std::string_view, 3> trades_names{"off", "cheap", "full"};
 inline constexpr std::array<std::string_view, 2> tour_solver_names{"crsom", "crsom+ls"};
 constexpr std::string_view name_of(PolicyKind policy) {
   return policy_names[static_cast<std::size_t>(policy)];
 }
 constexpr std::string_view name_of(ScoreKind score) {
   return score_names[static_cast<std::size_t>(score)];
+}
+constexpr std::string_view name_of(TradesKind trades) {
+  return trades_names[static_cast<std::size_t>(trades)];
 }
 constexpr std::string_view name_of(TourSolver solver) {
   return tour_solver_names[static_cast<std::size_t>(solver)];
@@ -65,14 +76,15 @@ constexpr bool states_claims(PolicyKind policy) {
 struct AuctionSettings {
   PolicyKind policy = PolicyKind::claims;
   ScoreKind score = ScoreKind::minimax;
-  double discount_per_s = 0.02;        ///< rho of the discounted scores; > 0.
-  std::optional<double> split_m;       ///< piece length; none: the shortest arc's length (eq. 4).
-  std::uint32_t max_tasks = 1000;      ///< limit on |T|; the piece length is raised to keep it.
-  std::uint32_t bundle_limit = 0;      ///< L_t: most tasks an agent takes; 0: no limit.
-  bool audit_bids = true;              ///< recompute what others bid, and refuse what is false.
-  TimeNs tick_ns = 20'000'000;         ///< longest time a round waits for those who are silent.
-  TimeNs lease_ns = 2'000'000'000;     ///< silence after which an agent counts as dead.
-  TimeNs barrier_ns = 10'000'000'000;  ///< how long the start waits for the whole roster.
+  double discount_per_s = 0.02;         ///< rho of the discounted scores; > 0.
+  std::optional<double> split_m;        ///< piece length; none: the shortest arc's length (eq. 4).
+  std::uint32_t max_tasks = 1000;       ///< limit on |T|; the piece length is raised to keep it.
+  std::uint32_t bundle_limit = 0;       ///< L_t: most tasks an agent takes; 0: no limit.
+  TradesKind trades = TradesKind::off;  ///< exchanges after agreement; off: plain SC-CBBA
+  bool audit_bids = true;               ///< recompute what others bid, and refuse what is false.
+  TimeNs tick_ns = 20'000'000;          ///< longest time a round waits for those who are silent.
+  TimeNs lease_ns = 2'000'000'000;      ///< silence after which an agent counts as dead.
+  TimeNs barrier_ns = 10'000'000'000;   ///< how long the start waits for the whole roster.
 };
 
 struct TourSettings {

@@ -134,6 +134,7 @@ struct RouteLeg {
 struct RouteMessage {
   Header header;
   std::uint64_t view_hash = 0;
+  std::uint64_t owners_digest = 0;  ///< who flies what, after exchanges: the same for every member
   double length_m = 0;
   double time_s = 0;
   std::vector<RouteLeg> legs;

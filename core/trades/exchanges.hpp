@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <memory>
-#include <string_view>
 
+#include "core/arcs/mission.hpp"
 #include "core/trades/allocation.hpp"
 
 namespace arcbid {
-
-/// Whether those who agreed exchange what they won, and how hard they look for what to exchange.
-enum class TradesKind : std::uint8_t { off, cheap, full };
-inline constexpr std::array<std::string_view, 3> trades_names{"off", "cheap", "full"};
 
 /// What a fleet makes of an allocation by exchanges between two of it at a time: lots handed over
 /// or swapped, what is flown from some point on exchanged, and everybody's own order improved. A

@@ -63,7 +63,7 @@ TEST(Convert, RoundTripOfEmptyAndAbsent) {
   expect_round_trip(BidMessage{samples::header(2), {AgentId{2}, {}, Table{}}});
   expect_round_trip(
       StatusMessage{samples::header(1), Phase::waiting_for_mission, 0, 0, 0, {}, true, {}, {}});
-  expect_round_trip(RouteMessage{samples::header(1), 0, 0, 0, {}});
+  expect_round_trip(RouteMessage{samples::header(1), 0, 0, 0, 0, {}});
   expect_round_trip(ControlMessage{});
 }
 

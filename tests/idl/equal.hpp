@@ -25,16 +25,18 @@ bool same(const std::vector<T>& a, const std::vector<T>& b) {
                     [](const T& x, const T& y) { return same(x, y); });
 }
 inline bool same(const Arc& a, const Arc& b) {
-  return a.id == b.id && a.kind == b.kind && same(a.waypoints, b.waypoints);
+  return a.id == b.id && a.kind == b.kind && same(a.waypoints, b.waypoints) &&
+         a.payload == b.payload;
 }
 inline bool same(const Uav& a, const Uav& b) {
-  return a.id == b.id && same(a.home_m, b.home_m) && same(a.speed_mps, b.speed_mps);
+  return a.id == b.id && same(a.home_m, b.home_m) && same(a.speed_mps, b.speed_mps) &&
+         a.endurance_s == b.endurance_s && a.payload == b.payload;
 }
 inline bool same(const AuctionSettings& a, const AuctionSettings& b) {
   return a.policy == b.policy && a.score == b.score && same(a.discount_per_s, b.discount_per_s) &&
          a.split_m == b.split_m && a.max_tasks == b.max_tasks && a.bundle_limit == b.bundle_limit &&
-         a.audit_bids == b.audit_bids && a.tick_ns == b.tick_ns && a.lease_ns == b.lease_ns &&
-         a.barrier_ns == b.barrier_ns;
+         a.trades == b.trades && a.audit_bids == b.audit_bids && a.tick_ns == b.tick_ns &&
+         a.lease_ns == b.lease_ns && a.barrier_ns == b.barrier_ns;
 }
 inline bool same(const AccessPoint& a, const AccessPoint& b) {
   return same(a.position_m, b.position_m);
@@ -93,7 +95,8 @@ inline bool same(const RouteLeg& a, const RouteLeg& b) {
          same(a.waypoints, b.waypoints);
 }
 inline bool same(const RouteMessage& a, const RouteMessage& b) {
-  return same(a.header, b.header) && a.view_hash == b.view_hash && same(a.length_m, b.length_m) &&
+  return same(a.header, b.header) && a.view_hash == b.view_hash &&
+         a.owners_digest == b.owners_digest && same(a.length_m, b.length_m) &&
          same(a.time_s, b.time_s) && same(a.legs, b.legs);
 }
 

@@ -47,11 +47,9 @@ inline StatusMessage status(std::uint32_t sender) {
 
 inline RouteMessage route(std::uint32_t sender) {
   const Waypoint a{{1, 2, 3}, {0, 0, 1}}, b{{4, 5, 6}, {1, 0, 0}};
-  return {header(sender),
-          0xbeef,
-          12.25,
-          99.5,
-          {{std::nullopt, 0, 2.5, {a, b}}, {ArcId{6}, 8.75, 1.25, {b, a, b}}}};
+  return {header(sender), 0xbeef,
+          0xfade,         12.25,
+          99.5,           {{std::nullopt, 0, 2.5, {a, b}}, {ArcId{6}, 8.75, 1.25, {b, a, b}}}};
 }
 
 inline ControlMessage control() {
@@ -64,12 +62,13 @@ inline Mission mission(std::uint32_t arcs = 2, std::uint32_t waypoints = 3) {
   out.id = 77;
   out.name = "bridge 7";
   for (std::uint32_t i = 0; i < arcs; ++i) {
-    Arc arc{ArcId{i}, static_cast<ArcKind>(i % 3), {}};
+    Arc arc{ArcId{i}, static_cast<ArcKind>(i % 3), {}, static_cast<Payload>(i % 3)};
     for (std::uint32_t k = 0; k < waypoints; ++k)
       arc.waypoints.push_back({{i / 3.0, k * 0.1, -1.0 - i}, {0, 0.6, 0.8}});
     out.arcs.push_back(arc);
   }
-  out.fleet = {{AgentId{1}, {1, 2, 3}, 1.5}, {AgentId{5}, {-1, -2, -0.0}, 2.5}};
+  out.fleet = {{AgentId{1}, {1, 2, 3}, 1.5, 900.5, Payload::camera},
+               {AgentId{5}, {-1, -2, -0.0}, 2.5}};
   out.airspace = {{-1.5, 2, 3}, 0.25, {4, 3, 2}, {20, 3, 1}, {}};
   const Vec3 begin = out.arcs.back().waypoints.back().position_m;
   out.airspace.accesses.push_back({ArcId{arcs - 1}, waypoints - 1, {{begin}, {{7, 8, 9}}}});
@@ -79,6 +78,7 @@ inline Mission mission(std::uint32_t arcs = 2, std::uint32_t waypoints = 3) {
                  4.5,
                  900,
                  7,
+                 TradesKind::cheap,
                  false,
                  1'000,
                  2'000,

@@ -168,6 +168,10 @@ Keys<AuctionSettings> auction_keys() {
           "Most pieces; the piece length is raised, with a warning, to keep it."),
       key("bundle_limit", &A::bundle_limit, number<std::uint32_t>(0, 100000),
           "L_t: most pieces an agent takes; 0: no limit."),
+      key("trades", &A::trades, choice(enumerators<TradesKind>(trades_names)),
+          "Exchanges between two UAVs at a time after the auction, and how hard they are looked "
+          "for; "
+          "`off`: the paper's plain SC-CBBA. See TRADES.md."),
       key("audit_bids", &A::audit_bids, boolean(),
           "Recompute what others bid, and refuse bids that are false; see FAULTS.md."),
       key("tick_ms", &A::tick_ns, milliseconds(1, 10000),

@@ -26,6 +26,8 @@ constexpr std::uint8_t most_of() {
   if constexpr (std::same_as<T, ArcKind>) return static_cast<std::uint8_t>(ArcKind::gap);
   if constexpr (std::same_as<T, PolicyKind>) return policy_names.size() - 1;
   if constexpr (std::same_as<T, ScoreKind>) return score_names.size() - 1;
+  if constexpr (std::same_as<T, TradesKind>) return trades_names.size() - 1;
+  if constexpr (std::same_as<T, Payload>) return payload_names.size() - 1;
   if constexpr (std::same_as<T, TourSolver>) return tour_solver_names.size() - 1;
 }
 

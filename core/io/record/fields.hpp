@@ -167,11 +167,14 @@ ARCBID_RECORD(Arc) {
   v("id", s.id);
   v("kind", s.kind);
   v("waypoints", s.waypoints);
+  v("payload", s.payload);
 }
 ARCBID_RECORD(Uav) {
   v("id", s.id);
   v("home_m", s.home_m);
   v("speed_mps", s.speed_mps);
+  v("endurance_s", s.endurance_s);
+  v("payload", s.payload);
 }
 ARCBID_RECORD(AuctionSettings) {
   v("policy", s.policy);
@@ -180,6 +183,7 @@ ARCBID_RECORD(AuctionSettings) {
   v("split_m", s.split_m);
   v("max_tasks", s.max_tasks);
   v("bundle_limit", s.bundle_limit);
+  v("trades", s.trades);
   v("audit_bids", s.audit_bids);
   v("tick_ns", s.tick_ns);
   v("lease_ns", s.lease_ns);

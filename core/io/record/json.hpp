@@ -37,7 +37,8 @@ class JsonWriter {
     } else if constexpr (std::same_as<T, bool> || Number<T> || std::same_as<T, std::string>)
       return value;
     else if constexpr (std::same_as<T, PolicyKind> || std::same_as<T, ScoreKind> ||
-                       std::same_as<T, TourSolver>)
+                       std::same_as<T, TourSolver> || std::same_as<T, TradesKind> ||
+                       std::same_as<T, Payload>)
       return name_of(value);
     else if constexpr (std::same_as<T, ArcKind>)
       return name(value);
