@@ -2,19 +2,15 @@
 #include "agent/hosted_agent.hpp"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
-#include <sys/types.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 #include "agent/shared_transit.hpp"
 #include "core/io/run/arcs_json.hpp"
 #include "core/io/run/run_files.hpp"
 #include "core/route/make_transit.hpp"
-#include "core/route/route.hpp"
 #include "idl/payload_size.hpp"
 
 namespace arcbid {
@@ -23,7 +19,6 @@ namespace {
 using nlohmann::json;
 
 constexpr int surely_alive = 2;  // messages; one may have been under way when its sender died
-constexpr int tour_niceness = 19;
 constexpr TimeNs ask_interval_ns = 200'000'000;
 constexpr TimeNs traffic_interval_ns = 500'000'000;
 constexpr TimeNs round_interval_ns = 100'000'000;
@@ -45,9 +40,11 @@ HostedAgent::HostedAgent(AgentOptions options, SharedBus& bus)
       bus_(bus),
       report_(fmt::format("agent {}", options_.id.value), options_.json_events, options_.id),
       incarnation_(birth_stamp_ms()),
-      log_(log_file(), {options_.id, incarnation_, 0}, [this](const std::string& why) {
-        report_("warning", {{"text", why}});
-      }) {
+      log_(log_file(), {options_.id, incarnation_, 0},
+           [this](const std::string& why) {
+             report_("warning", {{"text", why}});
+           }),
+      planner_([this] { bus_.wake(); }) {
   report_("up", {{"pid", getpid()}});
 }
 
@@ -266,36 +263,43 @@ void HostedAgent::release(const std::vector<AgentId>& dead) {
 }
 
 void HostedAgent::start_planning() {
-  if (!to_plan_ || planning_.valid())
-    return;  // one at a time; the next one starts when this is done
-  const auto self = std::find_if(mission_->fleet.begin(), mission_->fleet.end(),
-                                 [this](const Uav& uav) { return uav.id == options_.id; });
-  planning_ = std::async(std::launch::async,
-                         [this, mission = mission_, transit = transit_, tasks = &agent_->tasks(),
-                          uav = *self, hash = to_plan_->view_hash, path = to_plan_->path] {
-                           // Others may still be at the auction, on this very machine.
-                           setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), tour_niceness);
-                           Planned planned{hash, plan_route(*mission, *tasks, path, uav, *transit)};
-                           bus_.wake();
-                           return planned;
-                         });
+  if (!to_plan_ || planner_.busy()) return;  // the next one starts when this is done
+  planner_.plan(mission_, transit_, agent_->tasks(), *to_plan_, options_.id);
 }
 
 void HostedAgent::fly_if_planned() {
-  if (!planning_.valid() ||
-      planning_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
-    return;
-  const Planned planned = planning_.get();
-  if (!to_plan_ || to_plan_->view_hash != planned.view_hash) return start_planning();  // outdated
-  publish(*std::exchange(to_plan_, std::nullopt), planned.route);
+  const std::optional<PlannedFlight> flight = planner_.take();
+  if (!flight) return;
+  if (!to_plan_ || to_plan_->view_hash != flight->view_hash) return start_planning();  // outdated
+  publish(*std::exchange(to_plan_, std::nullopt), *flight);
 }
 
-/// Says what was won and how it is flown: on disk, to all, and only then to the auction.
-void HostedAgent::publish(const Agreement& agreement, const Route& route) {
+/// What this agent gives away of what it won, and what it gets.
+void HostedAgent::tell_exchanges(const Agreement& agreement, const Share& share) {
+  if (mission_->auction.trades == TradesKind::off) return;
+  json given = json::array(), taken = json::array();
+  for (std::uint32_t j = 0; j < share.owners.size(); ++j) {
+    const bool won = agreement.winners[j].winner == options_.id;
+    const bool flies = share.owners[j] == options_.id;
+    if (won && !flies) given.push_back(j);
+    if (flies && !won) taken.push_back(j);
+  }
+  const json fields{{"view_hash", hex(agreement.view_hash)},
+                    {"exchanges", share.exchanges},
+                    {"given", given},
+                    {"taken", taken}};
+  log_.write(now_ns(), "exchanged", fields);
+  report_("exchanged", fields);
+}
+
+/// Says what is flown and how: on disk, to all, and only then to the auction.
+void HostedAgent::publish(const Agreement& agreement, const PlannedFlight& flight) {
+  const auto& [view_hash, share, route] = flight;
+  tell_exchanges(agreement, share);
   if (options_.run) {
     try {
-      write_route_file(*options_.run, options_.id, *mission_, agent_->tasks(), agreement, route,
-                       agreed_s_);
+      write_route_file(*options_.run, options_.id, *mission_, agent_->tasks(), agreement,
+                       share.owners, route, agreed_s_);
     } catch (const std::runtime_error& error) {
       report_("warning", {{"text", error.what()}});
     }
@@ -303,16 +307,16 @@ void HostedAgent::publish(const Agreement& agreement, const Route& route) {
   RouteMessage message;
   message.header = {options_.id, incarnation_, ++sequence_, mission_digest_,
                     agent_->tasks().digest};
-  message.view_hash = agreement.view_hash;
+  message.view_hash = view_hash;
+  message.owners_digest = digest(share.owners);
   message.length_m = route.length_m;
   message.time_s = route.time_s;
   message.legs = route.legs;
-  log_.route(now_ns(), {agreement.view_hash, route});
+  log_.route(now_ns(), {view_hash, route});
   log_.commit();
   bus_.publish(options_.id, message);
-  report_("routed",
-          {{"view_hash", hex(agreement.view_hash)}, {"members", count(agreement.members)}});
-  step({clock_ns(), RoutePublished{agreement.view_hash}});
+  report_("routed", {{"view_hash", hex(view_hash)}, {"members", count(agreement.members)}});
+  step({clock_ns(), RoutePublished{view_hash}});
 }
 
 void HostedAgent::report_traffic(bool last) {

@@ -2,19 +2,18 @@
 #pragma once
 
 #include <filesystem>
-#include <future>
 #include <memory>
 #include <optional>
 
 #include "agent/faulty_links.hpp"
 #include "agent/malformer.hpp"
+#include "agent/route_planner.hpp"
 #include "agent/shared_bus.hpp"
 #include "core/auction/agent.hpp"
 #include "core/faults/schedule.hpp"
 #include "core/faults/tier.hpp"
 #include "core/io/process/process.hpp"
 #include "core/io/run/agent_log.hpp"
-#include "core/route/route.hpp"
 
 namespace arcbid {
 
@@ -63,7 +62,8 @@ class HostedAgent {
   void report_round(const DecisionMade& decision);
   void start_planning();
   void fly_if_planned();
-  void publish(const Agreement& agreement, const Route& route);
+  void publish(const Agreement& agreement, const PlannedFlight& flight);
+  void tell_exchanges(const Agreement& agreement, const Share& share);
   std::optional<std::filesystem::path> log_file() const;
   void refuse(const std::string& reason);
   void meet_namesake(const Header& header);
@@ -82,16 +82,10 @@ class HostedAgent {
   std::optional<FaultyLinks> links_;    // likewise, when there are faults of messages
   std::optional<Malformer> malformer_;  // likewise, when there are faults
   std::uint64_t mission_digest_ = 0;
-  std::vector<Belief> winners_;  // as of the last decision: what the dead had won
-  // A tour may take longer than a lease: it is planned beside the loop, which goes on saying that
-  // this agent lives.
+  std::vector<Belief> winners_;       // as of the last decision: what the dead had won
   std::optional<Agreement> to_plan_;  // the newest agreement, until its route is published
   double agreed_s_ = 0;
-  struct Planned {
-    std::uint64_t view_hash = 0;
-    Route route;
-  };
-  std::future<Planned> planning_;
+  RoutePlanner planner_;  // after agent_, whose tasks it reads
   TimeNs wake_ns_ = 0;
   TimeNs traffic_reported_ns_ = 0;
   TimeNs round_reported_ns_ = 0;

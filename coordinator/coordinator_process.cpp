@@ -53,20 +53,33 @@ Exit CoordinatorProcess::run() {
     publish_again_if_wanted();
     warn_if_alone();
     if (log_) log_->commit_if_due(now_ns());
-    const auto hash = progress_->complete(now_ns());
-    if (hash && now_ns() >= options_.not_before_ns) {
-      report_("complete", {{"view_hash", hex(*hash)}});
-      end_mission(Command::complete, "every living agent has published its route");
-      return Exit::done;
-    }
-    if (now_ns() > deadline_ns) {
-      report_("timeout", {{"timeout_s", options_.config.timeout_s}});
-      end_mission(Command::abort, "the mission took longer than timeout_s");
-      return Exit::check_failed;
-    }
+    if (const auto exit = ended(deadline_ns)) return *exit;
   }
   report_traffic();
   return Exit::done;
+}
+
+/// Says the end to all when there is a reason for it.
+std::optional<Exit> CoordinatorProcess::ended(TimeNs deadline_ns) {
+  if (const auto discord = progress_->discord()) {
+    const std::string reason = fmt::format(
+        "agents {} and {} agreed, but worked out different exchanges: their arithmetic differs; "
+        "use the same build on the same kind of processor, or 'auction.trades: off'",
+        discord->first.value, discord->second.value);
+    report_("warning", {{"text", reason}});
+    end_mission(Command::abort, reason);
+    return Exit::check_failed;
+  }
+  const auto hash = progress_->complete(now_ns());
+  if (hash && now_ns() >= options_.not_before_ns) {
+    report_("complete", {{"view_hash", hex(*hash)}});
+    end_mission(Command::complete, "every living agent has published its route");
+    return Exit::done;
+  }
+  if (now_ns() <= deadline_ns) return std::nullopt;
+  report_("timeout", {{"timeout_s", options_.config.timeout_s}});
+  end_mission(Command::abort, "the mission took longer than timeout_s");
+  return Exit::check_failed;
 }
 
 /// A coordinator that comes back publishes the mission of its last life: the plan follows from the

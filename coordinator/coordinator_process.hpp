@@ -31,6 +31,7 @@ class CoordinatorProcess {
 
  private:
   void handle(const StatusMessage& status);
+  std::optional<Exit> ended(TimeNs deadline_ns);
   void handle(const RouteMessage& route);
   void handle(const Malformed& malformed);
   template <class Message>

@@ -20,7 +20,7 @@ void Progress::heard(const StatusMessage& status, TimeNs now_ns) {
 }
 
 void Progress::heard(const RouteMessage& route) {
-  routed_[route.header.sender] = route.view_hash;
+  routed_[route.header.sender] = {route.view_hash, route.owners_digest};
 }
 
 bool Progress::complete_under(const StatusMessage& witness, TimeNs now_ns) const {
@@ -35,10 +35,18 @@ bool Progress::complete_under(const StatusMessage& witness, TimeNs now_ns) const
     const auto route = routed_.find(roster_[k]);
     if (status == status_.end() || route == routed_.end()) return false;
     if (status->second.phase != Phase::routed || status->second.view_hash != witness.view_hash ||
-        route->second != witness.view_hash)
+        route->second.view_hash != witness.view_hash)
       return false;
   }
   return true;
+}
+
+std::optional<std::pair<AgentId, AgentId>> Progress::discord() const {
+  for (const auto& [one, a] : routed_)
+    for (const auto& [other, b] : routed_)
+      if (a.view_hash == b.view_hash && a.owners_digest != b.owners_digest)
+        return std::pair(one, other);
+  return std::nullopt;
 }
 
 std::optional<std::uint64_t> Progress::complete(TimeNs now_ns) const {

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/arcs/mission.hpp"
@@ -21,6 +22,9 @@ class Progress {
   /// The view hash under which every living member has proven agreement and published its route;
   /// none: not yet, or some member was declared dead that was heard since, and will be back.
   std::optional<std::uint64_t> complete(TimeNs now_ns) const;
+  /// Two that agreed and yet came to different exchanges: their arithmetic differs, which waiting
+  /// does not mend.
+  std::optional<std::pair<AgentId, AgentId>> discord() const;
   /// Somebody still waits for the mission.
   bool mission_wanted() const { return mission_wanted_; }
   void mission_sent() { mission_wanted_ = false; }
@@ -32,7 +36,10 @@ class Progress {
   std::vector<AgentId> roster_;
   std::map<AgentId, StatusMessage> status_;
   std::map<AgentId, TimeNs> heard_ns_;
-  std::map<AgentId, std::uint64_t> routed_;  // the view hash of its newest route
+  struct Routed {
+    std::uint64_t view_hash = 0, owners_digest = 0;
+  };
+  std::map<AgentId, Routed> routed_;  // by its newest route
   bool mission_wanted_ = false;
 };
 

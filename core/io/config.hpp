@@ -39,13 +39,21 @@ struct FleetConfig {
   std::vector<Uav> uavs;
 };
 
+/// What gives the shortest missions at little cost; the core's own defaults are plain SC-CBBA.
+inline AuctionSettings best_auction() {
+  AuctionSettings auction;
+  auction.score = ScoreKind::minimax_long_first;
+  auction.trades = TradesKind::cheap;
+  return auction;
+}
+
 /// A run, as configs/*.yaml describes it. Every default stands here and in docs/CONFIG.md.
 struct Config {
   std::string name = "mission";
   StructureConfig structure;
   CoverageSettings coverage;
   FleetConfig fleet;
-  AuctionSettings auction;
+  AuctionSettings auction = best_auction();
   TourSettings tour;
   NetworkConfig network;
   double timeout_s = 120.0;  ///< the launcher gives up so long after the mission is published

@@ -85,14 +85,28 @@ Allocation start_of(const TaskSet& set, const std::vector<Flown>& flown,
   return start;
 }
 
-std::vector<Lot> lots_of(const TaskSet& set, const std::vector<Run>& runs) {
+std::vector<Lot> lots_of(const Mission& mission, const TaskSet& set, const std::vector<Run>& runs) {
   std::vector<Lot> lots;
   for (const Run& run : runs) {
-    Lot lot{set.tasks[run.first].first_m, set.tasks[run.last].last_m, 0};
+    Lot lot{set.tasks[run.first].first_m, set.tasks[run.last].last_m, 0, run.last - run.first + 1,
+            mission.arcs[set.tasks[run.first].arc.value].payload};
     for (std::uint32_t j = run.first; j <= run.last; ++j) lot.length_m += set.tasks[j].length_m();
     lots.push_back(lot);
   }
   return lots;
+}
+
+std::vector<Trader> traders_of(const Mission& mission, const std::vector<Uav>& members) {
+  std::vector<Trader> traders;
+  for (const Uav& uav : members) {
+    Trader& trader = traders.emplace_back();
+    trader.home_m = uav.home_m;
+    trader.speed_mps = uav.speed_mps;
+    trader.endurance_s = uav.endurance_s.value_or(trader.endurance_s);
+    trader.payload = uav.payload;
+    if (mission.auction.bundle_limit > 0) trader.most_tasks = mission.auction.bundle_limit;
+  }
+  return traders;
 }
 
 std::vector<PathStop> path_of(const std::vector<LotStop>& stops, const std::vector<Run>& runs) {
@@ -105,33 +119,36 @@ std::vector<PathStop> path_of(const std::vector<LotStop>& stops, const std::vect
   return path;
 }
 
-double slowest_s(const std::vector<Trader>& traders, const std::vector<Lot>& lots,
-                 const Allocation& allocation, const Transit& transit) {
-  return std::ranges::max(times_s(traders, lots, allocation, transit));
+/// How long the slowest takes for what it won, each task by itself.
+double slowest_as_won_s(const std::vector<Trader>& traders, const TaskSet& set,
+                        const std::vector<std::vector<PathStop>>& won, const Transit& transit) {
+  std::vector<Lot> tasks;
+  for (const Task& task : set.tasks) tasks.push_back({task.first_m, task.last_m, task.length_m()});
+  Allocation as_won(won.size());
+  for (std::size_t a = 0; a < won.size(); ++a)
+    for (const PathStop& stop : won[a]) as_won[a].push_back({stop.task.value, stop.reversed});
+  return std::ranges::max(times_s(traders, tasks, as_won, transit));
 }
 
 }  // namespace
 
-FleetPaths exchanged(const std::vector<Uav>& fleet, const TaskSet& set,
-                     std::vector<std::vector<PathStop>> won, const Transit& transit,
-                     TradesKind kind, std::uint64_t seed) {
+FleetPaths exchanged(const Mission& mission, const std::vector<Uav>& members, const TaskSet& set,
+                     std::vector<std::vector<PathStop>> won, const Transit& transit) {
+  const TradesKind kind = mission.auction.trades;
   const std::vector<Flown> flown = flown_by(set, won);
-  const std::vector<Run> runs = runs_of(set, flown, fleet.size());
-  if (kind == TradesKind::off || runs.empty()) return {std::move(won), 0};
-  std::vector<Trader> traders;
-  for (const Uav& uav : fleet) traders.push_back({uav.home_m, uav.speed_mps});
-  const std::vector<Lot> lots = lots_of(set, runs);
-  Exchanges exchanges(traders, lots, start_of(set, flown, runs, fleet.size()), transit, kind, seed);
+  const std::vector<Run> runs = runs_of(set, flown, members.size());
+  if (kind == TradesKind::off || runs.empty()) return {std::move(won)};
+  const std::vector<Trader> traders = traders_of(mission, members);
+  const std::vector<Lot> lots = lots_of(mission, set, runs);
+  Exchanges exchanges(traders, lots, start_of(set, flown, runs, members.size()), transit, kind,
+                      mission.tour.seed);
   while (!exchanges.done()) exchanges.step();
 
-  std::vector<Lot> tasks;
-  for (const Task& task : set.tasks) tasks.push_back({task.first_m, task.last_m, task.length_m()});
-  Allocation as_won(fleet.size());
-  for (std::size_t a = 0; a < fleet.size(); ++a)
-    for (const PathStop& stop : won[a]) as_won[a].push_back({stop.task.value, stop.reversed});
-  const double won_s = slowest_s(traders, tasks, as_won, transit);
-  if (!(slowest_s(traders, lots, exchanges.best(), transit) < won_s)) return {std::move(won), 0};
-  FleetPaths after{{}, exchanges.count()};
+  const std::vector<double> after_s = times_s(traders, lots, exchanges.best(), transit);
+  const bool is_better = std::ranges::max(after_s) < slowest_as_won_s(traders, set, won, transit) &&
+                         keeps_limits(traders, lots, exchanges.best(), after_s);
+  if (!is_better) return {std::move(won)};
+  FleetPaths after{{}, exchanges.count(), true};
   for (const auto& stops : exchanges.best()) after.paths.push_back(path_of(stops, runs));
   return after;
 }

@@ -9,6 +9,30 @@ namespace {
 
 constexpr std::uint32_t home_odds = 64;  // one wish in so many is to be next to a home
 constexpr std::uint32_t most_moved = 3;  // lots at once
+constexpr double rounded = 1e-6;         // of an endurance: legs are rounded here
+
+bool is_limited(const Trader& trader) {
+  const Trader free;
+  return trader.endurance_s < free.endurance_s || trader.most_tasks < free.most_tasks ||
+         trader.payload != Payload::any;
+}
+
+/// By how much it is over each limit.
+struct Excess {
+  double seconds = 0;
+  std::uint32_t tasks = 0, unserved = 0;
+  bool any() const { return seconds > 0 || tasks > 0 || unserved > 0; }
+  bool exceeds(const Excess& other) const {
+    return seconds > other.seconds || tasks > other.tasks || unserved > other.unserved;
+  }
+};
+
+Excess excess(const Trader& trader, double time_s, const Load& load) {
+  const std::uint32_t lidar = serves(trader.payload, Payload::lidar) ? 0 : load.lidar;
+  const std::uint32_t camera = serves(trader.payload, Payload::camera) ? 0 : load.camera;
+  return {std::max(0.0, time_s - trader.endurance_s * (1 - rounded)),
+          load.tasks - std::min(load.tasks, trader.most_tasks), lidar + camera};
+}
 
 }  // namespace
 
@@ -18,6 +42,7 @@ Annealing::Annealing(Tours tours, const Legs& legs, const std::vector<Trader>& t
       legs_(legs),
       traders_(traders),
       dice_(dice),
+      limited_(std::ranges::any_of(traders, is_limited)),
       weights_(traders.size()) {}
 
 double Annealing::weight(double time_s) const {
@@ -50,6 +75,18 @@ std::optional<Change> Annealing::propose() {
   return swap_lots(tours_, wish, bits & 1, (bits >> 1) & 1, (bits & 4) != 0);
 }
 
+bool Annealing::is_allowed(std::uint32_t tour, double length_m, const Recipe& recipe) const {
+  const Trader& trader = traders_[tour];
+  const Excess after = excess(trader, time_s(tour, length_m), tours_.load(recipe));
+  if (!after.any()) return true;
+  return !after.exceeds(excess(trader, time_s(tour, tours_.length_m(tour)), tours_.load(tour)));
+}
+
+bool Annealing::is_allowed(const Change& change) const {
+  return is_allowed(change.a, change.length_a_m, change.tour_a) &&
+         (change.b == Change::none || is_allowed(change.b, change.length_b_m, change.tour_b));
+}
+
 void Annealing::run(std::uint64_t changes, double temperature_s, int squarings) {
   squarings_ = squarings;
   reference_s_ = slowest_s();
@@ -60,7 +97,7 @@ void Annealing::run(std::uint64_t changes, double temperature_s, int squarings) 
   const double scale_s = reference_s_ / static_cast<double>(1 << squarings_);
   for (std::uint64_t n = 0; n < changes; ++n) {
     const auto change = propose();
-    if (!change) continue;
+    if (!change || (limited_ && !is_allowed(*change))) continue;
     const bool of_two = change->b != Change::none;
     const double a = weight(time_s(change->a, change->length_a_m));
     const double b = of_two ? weight(time_s(change->b, change->length_b_m)) : 0;

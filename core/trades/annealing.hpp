@@ -12,7 +12,8 @@
 namespace arcbid {
 
 /// Changes of one tour or of two, taken when they lower what the slow ones take, or, while it is
-/// warm, when they raise it a little (Kirkpatrick, Gelatt, Vecchi 1983). What is lowered is the sum
+/// warm, when they raise it a little (Kirkpatrick, Gelatt, Vecchi 1983). Nobody is taken over its
+/// limits; who is there from the start may come nearer to them. What is lowered is the sum
 /// of a high power of everybody's time: nearly the longest alone, but one that the others' moves
 /// are not lost on.
 class Annealing {
@@ -34,11 +35,14 @@ class Annealing {
     return length_m / traders_[tour].speed_mps;
   }
   double weight(double time_s) const;
+  bool is_allowed(const Change& change) const;
+  bool is_allowed(std::uint32_t tour, double length_m, const Recipe& recipe) const;
 
   Tours tours_;
   const Legs& legs_;
   const std::vector<Trader>& traders_;
   TradeDice& dice_;
+  const bool limited_;  // at least one trader
   int squarings_ = 0;
   double reference_s_ = 1;  // weights are powers of shares of it
   std::vector<double> weights_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/base/error.hpp"
@@ -52,23 +53,6 @@ void check_whole(const Allocation& start, std::size_t traders, std::size_t lots)
 
 }  // namespace
 
-std::vector<double> times_s(const std::vector<Trader>& traders, const std::vector<Lot>& lots,
-                            const Allocation& allocation, const Transit& transit) {
-  std::vector<double> times_s;
-  for (std::size_t a = 0; a < traders.size(); ++a) {
-    Vec3 at_m = traders[a].home_m;
-    double length_m = 0;
-    for (const LotStop& stop : allocation[a]) {
-      const Lot& lot = lots[stop.lot];
-      length_m += transit.length_m(at_m, stop.reversed ? lot.last_m : lot.first_m) + lot.length_m;
-      at_m = stop.reversed ? lot.first_m : lot.last_m;
-    }
-    if (!allocation[a].empty()) length_m += transit.length_m(at_m, traders[a].home_m);
-    times_s.push_back(length_m / traders[a].speed_mps);
-  }
-  return times_s;
-}
-
 struct Exchanges::Search {
   const std::vector<Trader> traders;
   const std::vector<Lot> lots;
@@ -100,7 +84,8 @@ void Exchanges::Search::begin(TradesKind kind) {
   effort = effort_of(kind, lots.size(), traders.size());
   legs = std::make_unique<Legs>(traders, lots, transit, effort.neighbours);
   const std::vector<double> before_s = times_s(traders, lots, best, transit);
-  best_s = slowest(before_s);
+  best_s = keeps_limits(traders, lots, best, before_s) ? slowest(before_s)
+                                                       : std::numeric_limits<double>::infinity();
   double legs_s = 0;
   for (std::size_t a = 0; a < traders.size(); ++a) {
     legs_s += before_s[a];
@@ -128,10 +113,10 @@ void Exchanges::Search::take_step() {
 /// What was searched with is rounded, and the mean of both ways: what is kept is measured anew.
 void Exchanges::Search::end_cycle() {
   Allocation found = annealing->tours().allocation();
-  const double found_s = slowest(times_s(traders, lots, found, transit));
-  if (found_s < best_s) {
+  const std::vector<double> found_s = times_s(traders, lots, found, transit);
+  if (slowest(found_s) < best_s && keeps_limits(traders, lots, found, found_s)) {
     best = std::move(found);
-    best_s = found_s;
+    best_s = slowest(found_s);
   }
   annealing->restart(Tours(lots, *legs, best));
   step = 0;

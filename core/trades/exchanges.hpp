@@ -25,7 +25,8 @@ class Exchanges {
   bool done() const;
   void step();
 
-  /// The best so far: its slowest trader is faster than that of `start`, or it is `start`.
+  /// The best so far: its slowest trader is faster than that of `start`, and everybody keeps its
+  /// limits; or it is `start`.
   const Allocation& best() const;
   /// Exchanges of two traders that were tried out and kept for a while, also if undone later.
   std::uint64_t count() const;

@@ -5,14 +5,37 @@
 
 namespace arcbid {
 
+namespace {
+
+Load load_of(const Lot& lot) {
+  return {lot.tasks, lot.payload == Payload::lidar, lot.payload == Payload::camera};
+}
+
+}  // namespace
+
+Load& Load::operator+=(const Load& more) {
+  tasks += more.tasks, lidar += more.lidar, camera += more.camera;
+  return *this;
+}
+
+Load& Load::operator-=(const Load& less) {
+  tasks -= less.tasks, lidar -= less.lidar, camera -= less.camera;
+  return *this;
+}
+
 Tours::Tours(const std::vector<Lot>& lots, const Legs& legs, const Allocation& allocation)
     : legs_(&legs),
       tours_(allocation.size()),
       flown_m_(allocation.size()),
+      carried_(allocation.size()),
       owner_(lots.size(), Change::none),
       position_(lots.size()) {
-  for (const Lot& lot : lots) lengths_m_.push_back(lot.length_m);
+  for (const Lot& lot : lots) {
+    lengths_m_.push_back(lot.length_m);
+    loads_.push_back(load_of(lot));
+  }
   lengths_m_.resize(lots.size() + allocation.size());
+  loads_.resize(lots.size() + allocation.size());
   for (std::uint32_t a = 0; a < count(); ++a) {
     const Code home = 2 * (static_cast<Code>(lots.size()) + a);
     tours_[a] = {home};
@@ -40,6 +63,17 @@ double Tours::length_m(const Recipe& recipe) const {
   return sum_m;
 }
 
+Load Tours::load(const Recipe& recipe) const {
+  Load sum;
+  for (std::uint32_t k = 0; k < recipe.count; ++k) {
+    const TourPart& s = recipe.parts[k];
+    sum += carried_[s.tour][s.last];
+    sum -= carried_[s.tour][s.first];
+    sum += loads_[tours_[s.tour][s.first] / 2];
+  }
+  return sum;
+}
+
 void Tours::make(const Recipe& recipe, std::vector<Code>& tour) const {
   tour.clear();
   for (std::uint32_t k = 0; k < recipe.count; ++k) {
@@ -57,9 +91,12 @@ void Tours::renumber(std::uint32_t tour) {
   std::vector<double>& flown_m = flown_m_[tour];
   flown_m.resize(stops.size());
   flown_m[0] = 0;
+  std::vector<Load>& carried = carried_[tour];
+  carried.assign(stops.size(), {});
   for (std::uint32_t k = 1; k < stops.size(); ++k) {
     const std::uint32_t lot = stops[k] / 2;
     flown_m[k] = flown_m[k - 1] + legs_->length_m(stops[k - 1] ^ 1, stops[k]) + lengths_m_[lot];
+    (carried[k] = carried[k - 1]) += loads_[lot];
     if (lot >= owner_.size()) continue;
     owner_[lot] = tour;
     position_[lot] = k;

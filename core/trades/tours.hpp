@@ -33,6 +33,13 @@ struct Change {
   double length_a_m = 0, length_b_m = 0;
 };
 
+/// What of a tour is limited beside its time.
+struct Load {
+  std::uint32_t tasks = 0, lidar = 0, camera = 0;  // the latter: lots that need it
+  Load& operator+=(const Load& more);
+  Load& operator-=(const Load& less);
+};
+
 /// Everybody's closed tours, made for changes to be tried at O(1).
 class Tours {
  public:
@@ -50,6 +57,8 @@ class Tours {
   double length_m(std::uint32_t tour) const { return flown_m_[tour].back(); }
 
   double length_m(const Recipe& recipe) const;
+  Load load(std::uint32_t tour) const { return carried_[tour].back(); }
+  Load load(const Recipe& recipe) const;
   void apply(const Change& change);
   Allocation allocation() const;
 
@@ -60,8 +69,10 @@ class Tours {
 
   const Legs* legs_;
   std::vector<double> lengths_m_;                // by lot; homes: 0
+  std::vector<Load> loads_;                      // likewise
   std::vector<std::vector<Code>> tours_;         // home, lots, home
   std::vector<std::vector<double>> flown_m_;     // when each position is left
+  std::vector<std::vector<Load>> carried_;       // likewise
   std::vector<std::uint32_t> owner_, position_;  // by lot
   std::vector<Code> fresh_a_, fresh_b_;          // room to work in
 };

@@ -58,8 +58,9 @@ FleetRun run_fleet(const Mission& mission, Graph graph, TradesKind trades) {
   for (const auto& path : won.stops) run.unassigned -= path.size();
   run.auction_cpu_s = watch.lap_s();
   const StraightTransit transit;
-  const FleetPaths after =
-      exchanged(mission.fleet, instance.tasks, won.stops, transit, trades, mission.tour.seed);
+  Mission as_told = mission;
+  as_told.auction.trades = trades;
+  const FleetPaths after = exchanged(as_told, mission.fleet, instance.tasks, won.stops, transit);
   run.exchanges = after.exchanges;
   run.trades_cpu_s = watch.lap_s();
   for (std::size_t i = 0; i < mission.fleet.size(); ++i) {

@@ -8,6 +8,8 @@
 
 #include "core/auction/agent.hpp"
 #include "core/route/make_transit.hpp"
+#include "core/route/route.hpp"
+#include "core/route/share.hpp"
 
 namespace arcbid {
 namespace {
@@ -78,14 +80,14 @@ Divergence divergence_of(const LifeLog& life, const Mark& mark, const TaskSet& t
   return out;
 }
 
-/// The tours: functions of the mission and of what was won.
+/// Exchanges and tours: functions of the mission and of what was agreed on.
 class RouteVerifier {
  public:
   RouteVerifier(const LifeLog& life, const TaskSet& tasks, const Transit& transit)
       : life_(life), tasks_(tasks), transit_(transit) {}
 
   void agreed(const Mark& mark, const Agreement& agreement) {
-    agreements_[agreement.view_hash] = {mark, agreement.path};
+    agreements_[agreement.view_hash] = {mark, agreement};
   }
   void verify(LifeVerdict& verdict) const {
     const Mission& mission = *life_.mission();
@@ -94,8 +96,10 @@ class RouteVerifier {
     for (const PlannedRoute& logged : life_.routes()) {
       const auto won = agreements_.find(logged.view_hash);
       if (won == agreements_.end()) continue;
-      const auto& [mark, path] = won->second;
-      const PlannedRoute again{logged.view_hash, plan_route(mission, tasks_, path, *uav, transit_)};
+      const auto& [mark, agreement] = won->second;
+      const Share share = share_of(mission, tasks_, agreement, life_.agent(), transit_);
+      const PlannedRoute again{logged.view_hash,
+                               plan_route(mission, tasks_, share.path, *uav, transit_)};
       if (encode(again) == encode(logged)) {
         ++verdict.routes;
         continue;
@@ -118,7 +122,7 @@ class RouteVerifier {
   const LifeLog& life_;
   const TaskSet& tasks_;
   const Transit& transit_;
-  std::map<std::uint64_t, std::pair<Mark, std::vector<PathStop>>> agreements_;
+  std::map<std::uint64_t, std::pair<Mark, Agreement>> agreements_;
 };
 
 }  // namespace

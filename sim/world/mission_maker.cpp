@@ -11,6 +11,7 @@ constexpr double box_m = 100, height_m = 30, grid_m = 20;
 
 template <class T>
 const T& any_of_these(const std::vector<T>& choices, Dice& dice) {
+  if (choices.size() == 1) return choices[0];
   return choices[dice.between(0, static_cast<std::uint32_t>(choices.size() - 1))];
 }
 
@@ -98,6 +99,9 @@ Mission make_mission(const WorldSettings& settings, std::uint64_t seed, Dice& di
   auction.barrier_ns = dice.time_ns(5 * settings.tick_ns, 40 * settings.tick_ns);
   if (dice.chance(settings.bundle_limit))
     auction.bundle_limit = dice.between(1, 2 * ((tasks + agents - 1) / agents));
+  // One choice is no chance: worlds of settings that name none stay what they were.
+  auction.trades =
+      settings.trades.size() == 1 ? settings.trades[0] : any_of_these(settings.trades, dice);
   return mission;
 }
 

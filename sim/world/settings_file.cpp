@@ -64,6 +64,8 @@ Keys<WorldSettings> auction_keys() {
                "Tasks after the split."),
       field<W>("policies", &W::policies, some_of<PolicyKind>(policy_names), "One is drawn."),
       field<W>("scores", &W::scores, some_of<ScoreKind>(score_names), "One is drawn."),
+      field<W>("trades", &W::trades, some_of<TradesKind>(trades_names),
+               "Exchanges after agreement; one is drawn."),
       field<W>("topologies", &W::topologies, some_of<TopologyKind>(topology_names),
                "One is drawn; geometric: who is near enough to whom."),
       field<W>("layouts", &W::layouts, some_of<Layout>(layout_names),
@@ -103,9 +105,11 @@ WorldSettings parse_worlds(const std::string& text, const std::filesystem::path&
   Report report(file.string());
   yaml::read_fields({root, root.Mark(), ""}, settings_keys(), settings, report);
   const bool choices = !settings.policies.empty() && !settings.scores.empty() &&
-                       !settings.topologies.empty() && !settings.layouts.empty();
+                       !settings.trades.empty() && !settings.topologies.empty() &&
+                       !settings.layouts.empty();
   if (!choices)
-    report.problem(root.Mark(), "", "policies, scores, topologies and layouts must not be empty");
+    report.problem(root.Mark(), "",
+                   "policies, scores, trades, topologies and layouts must not be empty");
   report.throw_if_any();
   return settings;
 }

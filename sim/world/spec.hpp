@@ -69,6 +69,7 @@ struct WorldSettings {
   std::vector<ScoreKind> scores{ScoreKind::minimax};
   std::vector<TopologyKind> topologies{TopologyKind::complete};
   std::vector<Layout> layouts{Layout::scattered};
+  std::vector<TradesKind> trades{TradesKind::off};
   double bundle_limit = 0;  ///< odds of a limit L_t
   TimeNs tick_ns = 20'000'000;
   Range<TimeNs> lease_ns{400'000'000, 2'000'000'000};

@@ -36,6 +36,7 @@ World::World(const WorldSpec& spec, const Trace& trace, WorldObserver* observer)
       script_(script_of(spec)),
       has_clock_fault_(spec.mission.fleet.size(), false),
       checkers_(spec.mission, pieces_.size()),
+      exchange_checker_(spec.mission, pieces_, *transit_, checkers_.findings),
       calm_ns_(arcbid::calm_ns(spec)),
       last_turn_ns_(arcbid::last_turn_ns(spec.faults)) {
   for (std::size_t k = 0; k < has_clock_fault_.size(); ++k)
@@ -191,11 +192,20 @@ void World::carry_out(Life& life, Update& update) {
       life.bundle = claims->bundle;
   if (update.agreement_lost) life.proof.reset();
   if (update.agreed) {
+    work_out_exchanges(life, *update.agreed);
     life.proof = std::move(update.agreed);
     life.is_routed = false;
     may_have_agreed_ = true;
   }
   if (!life.proof) life.is_routed = true;
+}
+
+void World::work_out_exchanges(const Life& life, const Agreement& proof) {
+  if (!exchange_checker_.wants(proof)) return;
+  FleetShare share = fleet_share(*mission_, life.core->tasks(), proof, *transit_);
+  exchange_checker_.after(now_ns_, proof, share);
+  digest_.add(share.exchanges);
+  exchanged_[proof.view_hash] = std::move(share);
 }
 
 /// Into the digest, and the trace.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "core/auction/agent.hpp"
 #include "core/base/digest.hpp"
 #include "sim/world/checkers/checkers.hpp"
+#include "sim/world/checkers/exchanges.hpp"
 #include "sim/world/checkers/greedy.hpp"
 #include "sim/world/fleet_graph.hpp"
 #include "sim/world/network.hpp"
@@ -77,6 +79,9 @@ class World {
   TimeNs bound_ns(std::size_t diameter) const;
   std::uint64_t most_steps() const;
   std::vector<Component> living_components() const;
+  void fly(const Component& component, std::size_t n, const Bidder& bidder,
+           std::vector<Piece>& flown);
+  void work_out_exchanges(const Life& life, const Agreement& proof);
   void check_outcome(const std::vector<Component>& components);
   std::vector<Bidder> bidders(const Component& component) const;
   const Life& life_of(std::size_t agent) const;
@@ -103,6 +108,8 @@ class World {
   std::vector<Life> lives_;  // the living, in the order of their births
   std::uint32_t births_ = 0;
   Checkers checkers_;
+  ExchangeChecker exchange_checker_;
+  std::map<std::uint64_t, FleetShare> exchanged_;  // by view hash, where there are exchanges
   TimeNs now_ns_ = 0, calm_ns_, last_turn_ns_, bound_ns_ = 0;
   bool may_have_agreed_ = false;  // something changed since has_agreed() was asked
   WorldResult result_;

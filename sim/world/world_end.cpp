@@ -99,6 +99,21 @@ std::vector<Bidder> World::bidders(const Component& component) const {
   return bidders;
 }
 
+/// What member `n` of a component flies: what it won, or what it has after exchanges.
+void World::fly(const Component& component, std::size_t n, const Bidder& bidder,
+                std::vector<Piece>& flown) {
+  const Life& life = life_of(component.members[0]);
+  const auto share = exchanged_.find(life.proof->view_hash);
+  const bool is_exchanged = share != exchanged_.end() && share->second.is_better();
+  const std::vector<PathStop>& path = is_exchanged ? share->second.paths[n] : bidder.path;
+  std::vector<TaskId> tasks;
+  for (const PathStop& stop : path) tasks.push_back(stop.task);
+  for (const Piece& piece : combine(life.core->tasks(), tasks)) flown.push_back(piece);
+  const double closed_s = closed_path_s(pieces_, bidder.uav, path, *transit_);
+  result_.makespan_s = std::max(result_.makespan_s, closed_s);
+  result_.total_length_m += closed_s * bidder.uav.speed_mps;
+}
+
 void World::check_outcome(const std::vector<Component>& components) {
   const AuctionSettings& auction = spec_.mission.auction;
   const bool is_greedy = spec_.compares_with_greedy && auction.policy == PolicyKind::claims &&
@@ -107,15 +122,7 @@ void World::check_outcome(const std::vector<Component>& components) {
   for (const Component& component : components) {
     const std::vector<Bidder> all = bidders(component);
     std::vector<Piece> flown;
-    for (const Bidder& bidder : all) {
-      std::vector<TaskId> path;
-      for (const PathStop& stop : bidder.path) path.push_back(stop.task);
-      for (const Piece& piece : combine(life_of(component.members[0]).core->tasks(), path))
-        flown.push_back(piece);
-      const double closed_s = closed_path_s(pieces_, bidder.uav, bidder.path, *transit_);
-      result_.makespan_s = std::max(result_.makespan_s, closed_s);
-      result_.total_length_m += closed_s * bidder.uav.speed_mps;
-    }
+    for (std::size_t n = 0; n < all.size(); ++n) fly(component, n, all[n], flown);
     const std::vector<Belief>& winners = life_of(component.members[0]).proof->winners;
     if (component.members.size() > largest) {
       largest = component.members.size();

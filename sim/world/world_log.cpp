@@ -9,6 +9,7 @@
 #include "core/io/faults/fault_files.hpp"
 #include "core/io/run/run_files.hpp"
 #include "core/route/make_transit.hpp"
+#include "core/route/share.hpp"
 #include "sim/launcher/fault_script.hpp"
 
 namespace arcbid {
@@ -85,9 +86,10 @@ void WorldLog::plan(Life& life, TimeNs now_ns) const {
                                 [&life](const Uav& u) { return u.id == life.agent; });
   const TaskSet tasks = split(mission.arcs, mission.auction.split_m, mission.auction.max_tasks);
   const Agreement agreement = *std::exchange(life.agreement, std::nullopt);
-  const Route route = plan_route(mission, tasks, agreement.path, *uav, *transit_);
+  const Share share = share_of(mission, tasks, agreement, life.agent, *transit_);
+  const Route route = plan_route(mission, tasks, share.path, *uav, *transit_);
   life.log->route(now_ns, {agreement.view_hash, route});
-  write_route_file(directory_, life.agent, mission, tasks, agreement, route,
+  write_route_file(directory_, life.agent, mission, tasks, agreement, share.owners, route,
                    static_cast<double>(now_ns) * 1e-9);
 }
 

@@ -69,6 +69,22 @@ TEST(Progress, WaitsForAMemberThatWasBuriedAlive) {
   EXPECT_EQ(progress.complete(now + 60'000'000'000), 9u);
 }
 
+TEST(Progress, SeesThatTwoCameToDifferentExchanges) {
+  Progress progress(two_agents());
+  RouteMessage first = route(1, 9), second = route(2, 9);
+  first.owners_digest = second.owners_digest = 5;
+  progress.heard(first);
+  progress.heard(second);
+  EXPECT_FALSE(progress.discord());
+  second.owners_digest = 6;
+  second.view_hash = 8;
+  progress.heard(second);
+  EXPECT_FALSE(progress.discord()) << "of an earlier agreement";
+  second.view_hash = 9;
+  progress.heard(second);
+  EXPECT_EQ(progress.discord(), std::pair(AgentId{1}, AgentId{2}));
+}
+
 TEST(Progress, IgnoresAnOlderStatusThatComesLate) {
   Progress progress(two_agents());
   StatusMessage reopened = status(1, Phase::auction, 0, true);

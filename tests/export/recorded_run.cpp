@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/route/route.hpp"
+#include "core/route/share.hpp"
 
 namespace arcbid::testing {
 namespace {
@@ -73,8 +74,11 @@ void RecordedRun::step(AgentId id, Event event) {
   const auto uav = std::find_if(mission_->fleet.begin(), mission_->fleet.end(),
                                 [id](const Uav& u) { return u.id == id; });
   const auto& agreed = *step.update.agreed;
-  member.log->route(now_ns_, {agreed.view_hash, plan_route(*mission_, member.agent->tasks(),
-                                                           agreed.path, *uav, StraightTransit())});
+  const StraightTransit transit;
+  const TaskSet& tasks = member.agent->tasks();
+  const Share share = share_of(*mission_, tasks, agreed, id, transit);
+  member.log->route(now_ns_,
+                    {agreed.view_hash, plan_route(*mission_, tasks, share.path, *uav, transit)});
   member.log->commit();
   this->step(id, {now_ns_, RoutePublished{agreed.view_hash}});
 }

@@ -75,7 +75,12 @@ void write_structure_file(const std::filesystem::path& run, const Structure& str
 
 namespace {
 
-json agreement_of(const TaskSet& tasks, const Agreement& agreement, double time_s) {
+json number_of(const std::optional<AgentId>& agent) {
+  return agent ? json(agent->value) : json(nullptr);
+}
+
+json agreement_of(const TaskSet& tasks, const Agreement& agreement,
+                  const std::vector<std::optional<AgentId>>& owners, double time_s) {
   json members = json::array();
   for (const AgentId member : agreement.members) members.push_back(member.value);
   json list = json::array();
@@ -85,7 +90,8 @@ json agreement_of(const TaskSet& tasks, const Agreement& agreement, double time_
                     {"arc", task.arc.value},
                     {"from_m", task.from_m},
                     {"to_m", task.to_m},
-                    {"owner", belief.winner ? json(belief.winner->value) : json(nullptr)},
+                    {"owner", number_of(owners[task.id.value])},
+                    {"won_by", number_of(belief.winner)},
                     {"bid", belief.bid}});
   }
   return {{"view_hash", hex(agreement.view_hash)},
@@ -119,12 +125,13 @@ json route_of(const Route& route) {
 }  // namespace
 
 void write_route_file(const std::filesystem::path& run, AgentId agent, const Mission& mission,
-                      const TaskSet& tasks, const Agreement& agreement, const Route& route,
+                      const TaskSet& tasks, const Agreement& agreement,
+                      const std::vector<std::optional<AgentId>>& owners, const Route& route,
                       double time_s) {
   const json out{{"schema", 1},
                  {"agent", agent.value},
                  {"mission", hex(mission.id)},
-                 {"agreement", agreement_of(tasks, agreement, time_s)},
+                 {"agreement", agreement_of(tasks, agreement, owners, time_s)},
                  {"route", route_of(route)}};
   write_whole(route_file(run, agent), out.dump());
 }

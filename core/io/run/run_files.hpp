@@ -18,9 +18,11 @@ void write_arcs_file(const std::filesystem::path& run, const Mission& mission);
 /// structure.ply: what the arcs were made for, as whoever looks at the run is shown it.
 void write_structure_file(const std::filesystem::path& run, const Structure& structure);
 
-/// `time_s`: when agreement was proven, since launch.
+/// `owners`: who flies each task after exchanges. `time_s`: when agreement was proven, since
+/// launch.
 void write_route_file(const std::filesystem::path& run, AgentId agent, const Mission& mission,
-                      const TaskSet& tasks, const Agreement& agreement, const Route& route,
+                      const TaskSet& tasks, const Agreement& agreement,
+                      const std::vector<std::optional<AgentId>>& owners, const Route& route,
                       double time_s);
 
 std::filesystem::path route_file(const std::filesystem::path& run, AgentId agent);

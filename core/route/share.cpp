@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/route/share.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/base/digest.hpp"
+#include "core/base/error.hpp"
+#include "core/route/exchanged.hpp"
+
+namespace arcbid {
+namespace {
+
+std::vector<Uav> members_of(const Mission& mission, const Agreement& agreement) {
+  std::vector<Uav> members;
+  for (const Uav& uav : mission.fleet)
+    if (std::ranges::find(agreement.members, uav.id) != agreement.members.end())
+      members.push_back(uav);
+  return members;
+}
+
+/// What one member won, as a path. Tables of beliefs do not tell how their owners order their
+/// tasks, so tasks are inserted anew, the highest bid first: as an auction's bundle grows.
+std::vector<PathStop> path_won(const Mission& mission, const TaskSet& set,
+                               const std::vector<Belief>& winners, const Uav& uav,
+                               const Transit& transit) {
+  std::vector<std::pair<double, TaskId>> won;
+  for (std::uint32_t j = 0; j < winners.size(); ++j)
+    if (winners[j].winner == uav.id) won.push_back({-winners[j].bid, {j}});
+  std::ranges::sort(won);
+  const auto score = make_score(set, uav, mission.auction, transit);
+  score->assign({});
+  for (const auto& [bid, task] : won) score->insert(task, score->best(task));
+  return score->path();
+}
+
+std::vector<std::optional<AgentId>> owners_of(const std::vector<Belief>& winners) {
+  std::vector<std::optional<AgentId>> owners;
+  for (const Belief& belief : winners) owners.push_back(belief.winner);
+  return owners;
+}
+
+}  // namespace
+
+FleetShare fleet_share(const Mission& mission, const TaskSet& set, const Agreement& agreement,
+                       const Transit& transit) {
+  FleetShare share{agreement.members, {}, 0};
+  if (mission.auction.trades == TradesKind::off) return share;
+  const std::vector<Uav> members = members_of(mission, agreement);
+  std::vector<std::vector<PathStop>> won;
+  for (const Uav& uav : members)
+    won.push_back(path_won(mission, set, agreement.winners, uav, transit));
+  FleetPaths after = exchanged(mission, members, set, std::move(won), transit);
+  if (!after.is_better) return share;
+  share.paths = std::move(after.paths);
+  share.exchanges = after.exchanges;
+  return share;
+}
+
+Share share_of(const Mission& mission, const TaskSet& set, const Agreement& agreement, AgentId self,
+               const Transit& transit) {
+  const FleetShare fleet = fleet_share(mission, set, agreement, transit);
+  if (!fleet.is_better()) return {owners_of(agreement.winners), agreement.path, 0};
+  Share share{std::vector<std::optional<AgentId>>(set.tasks.size()), {}, fleet.exchanges};
+  for (std::size_t a = 0; a < fleet.members.size(); ++a) {
+    for (const PathStop& stop : fleet.paths[a]) share.owners[stop.task.value] = fleet.members[a];
+    if (fleet.members[a] == self) share.path = fleet.paths[a];
+  }
+  return share;
+}
+
+std::uint64_t digest(const std::vector<std::optional<AgentId>>& owners) {
+  Digest d;
+  for (const auto& owner : owners)
+    d.add(std::uint64_t{owner.has_value()}).add(std::uint64_t{owner ? owner->value : 0});
+  return d.value();
+}
+
+}  // namespace arcbid
