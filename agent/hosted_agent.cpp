@@ -220,7 +220,10 @@ void HostedAgent::carry_out(Update& update) {
   for (const auto& status : update.statuses) bus_.publish(options_.id, status);
   if (update.refused) refuse(*update.refused);
   report(update);
-  if (update.agreement_lost) to_plan_.reset();
+  if (update.agreement_lost) {
+    to_plan_.reset();
+    planner_.drop();
+  }
   if (update.agreed) {
     to_plan_ = std::move(update.agreed);
     start_planning();

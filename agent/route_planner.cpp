@@ -15,10 +15,12 @@ namespace {
 constexpr int niceness = 19;
 
 PlannedFlight planned(const Mission& mission, const Transit& transit, const TaskSet& tasks,
-                      const Agreement& agreement, AgentId self) {
+                      const Agreement& agreement, AgentId self, const std::atomic<bool>& wanted) {
   const auto uav =
       std::ranges::find_if(mission.fleet, [self](const Uav& u) { return u.id == self; });
-  Share share = share_of(mission, tasks, agreement, self, transit);
+  Share share =
+      share_of(mission, tasks, agreement, self, transit, [&wanted] { return wanted.load(); });
+  if (!wanted) return {};
   Route route = plan_route(mission, tasks, share.path, *uav, transit);
   return {agreement.view_hash, std::move(share), std::move(route)};
 }
@@ -28,12 +30,13 @@ PlannedFlight planned(const Mission& mission, const Transit& transit, const Task
 void RoutePlanner::plan(std::shared_ptr<const Mission> mission,
                         std::shared_ptr<const Transit> transit, const TaskSet& tasks,
                         const Agreement& agreement, AgentId self) {
+  is_wanted_ = true;
   planning_ = std::async(
       std::launch::async,
       [this, mission = std::move(mission), transit = std::move(transit), &tasks, agreement, self] {
         // Others may still be at the auction, on this very machine.
         setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), niceness);
-        PlannedFlight flight = planned(*mission, *transit, tasks, agreement, self);
+        PlannedFlight flight = planned(*mission, *transit, tasks, agreement, self, is_wanted_);
         done_();
         return flight;
       });

@@ -90,8 +90,8 @@ struct AuctionSettings {
 struct TourSettings {
   TourSolver solver = TourSolver::crsom_ls;
   std::uint64_t seed = 1;
-  std::uint32_t epochs = 100;       ///< presentations of the whole arc set to the ring.
-  std::uint32_t iterations = 2000;  ///< disturbances of the local search.
+  std::uint32_t epochs = 100;     ///< presentations of the whole arc set to the ring.
+  std::uint32_t iterations = 20;  ///< disturbances of the local search, for each arc.
 };
 
 /// Everything the coordinator publishes, and all an agent needs besides its own id.

@@ -133,7 +133,8 @@ double slowest_as_won_s(const std::vector<Trader>& traders, const TaskSet& set,
 }  // namespace
 
 FleetPaths exchanged(const Mission& mission, const std::vector<Uav>& members, const TaskSet& set,
-                     std::vector<std::vector<PathStop>> won, const Transit& transit) {
+                     std::vector<std::vector<PathStop>> won, const Transit& transit,
+                     const StillWanted& wanted) {
   const TradesKind kind = mission.auction.trades;
   const std::vector<Flown> flown = flown_by(set, won);
   const std::vector<Run> runs = runs_of(set, flown, members.size());
@@ -142,7 +143,10 @@ FleetPaths exchanged(const Mission& mission, const std::vector<Uav>& members, co
   const std::vector<Lot> lots = lots_of(mission, set, runs);
   Exchanges exchanges(traders, lots, start_of(set, flown, runs, members.size()), transit, kind,
                       mission.tour.seed);
-  while (!exchanges.done()) exchanges.step();
+  while (!exchanges.done()) {
+    if (wanted && !wanted()) return {std::move(won)};
+    exchanges.step();
+  }
 
   const std::vector<double> after_s = times_s(traders, lots, exchanges.best(), transit);
   const bool is_better = std::ranges::max(after_s) < slowest_as_won_s(traders, set, won, transit) &&

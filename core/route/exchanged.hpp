@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "core/arcs/mission.hpp"
@@ -18,6 +19,10 @@ struct FleetPaths {
   bool is_better = false;       ///< else they are what was won
 };
 
+/// Asked between steps of some ms; false: the outcome is no longer wanted, and what was won is as
+/// good.
+using StillWanted = std::function<bool()>;
+
 /// What the fleet flies after it exchanged what it won (core/trades), as `mission.auction.trades`
 /// says. Tasks are exchanged in lots: arcs, or parts of them where an arc is long beside what one
 /// UAV does. A lot that was won by several begins with who won most of it. The slowest UAV is
@@ -25,6 +30,7 @@ struct FleetPaths {
 /// `won`; a task flown in `won` is flown by one UAV, once, and no other task is. `won` is by
 /// `members`, which are of the mission's fleet: those who are left of it.
 FleetPaths exchanged(const Mission& mission, const std::vector<Uav>& members, const TaskSet& set,
-                     std::vector<std::vector<PathStop>> won, const Transit& transit);
+                     std::vector<std::vector<PathStop>> won, const Transit& transit,
+                     const StillWanted& wanted = {});
 
 }  // namespace arcbid

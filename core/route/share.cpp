@@ -6,7 +6,6 @@
 
 #include "core/base/digest.hpp"
 #include "core/base/error.hpp"
-#include "core/route/exchanged.hpp"
 
 namespace arcbid {
 namespace {
@@ -43,14 +42,14 @@ std::vector<std::optional<AgentId>> owners_of(const std::vector<Belief>& winners
 }  // namespace
 
 FleetShare fleet_share(const Mission& mission, const TaskSet& set, const Agreement& agreement,
-                       const Transit& transit) {
+                       const Transit& transit, const StillWanted& wanted) {
   FleetShare share{agreement.members, {}, 0};
   if (mission.auction.trades == TradesKind::off) return share;
   const std::vector<Uav> members = members_of(mission, agreement);
   std::vector<std::vector<PathStop>> won;
   for (const Uav& uav : members)
     won.push_back(path_won(mission, set, agreement.winners, uav, transit));
-  FleetPaths after = exchanged(mission, members, set, std::move(won), transit);
+  FleetPaths after = exchanged(mission, members, set, std::move(won), transit, wanted);
   if (!after.is_better) return share;
   share.paths = std::move(after.paths);
   share.exchanges = after.exchanges;
@@ -58,8 +57,8 @@ FleetShare fleet_share(const Mission& mission, const TaskSet& set, const Agreeme
 }
 
 Share share_of(const Mission& mission, const TaskSet& set, const Agreement& agreement, AgentId self,
-               const Transit& transit) {
-  const FleetShare fleet = fleet_share(mission, set, agreement, transit);
+               const Transit& transit, const StillWanted& wanted) {
+  const FleetShare fleet = fleet_share(mission, set, agreement, transit, wanted);
   if (!fleet.is_better()) return {owners_of(agreement.winners), agreement.path, 0};
   Share share{std::vector<std::optional<AgentId>>(set.tasks.size()), {}, fleet.exchanges};
   for (std::size_t a = 0; a < fleet.members.size(); ++a) {

@@ -8,6 +8,7 @@
 #include "core/arcs/mission.hpp"
 #include "core/auction/agent.hpp"
 #include "core/auction/task_set.hpp"
+#include "core/route/exchanged.hpp"
 
 namespace arcbid {
 
@@ -22,7 +23,7 @@ struct FleetShare {
 
 /// With exchanges this takes up to seconds (docs/TRADES.md).
 FleetShare fleet_share(const Mission& mission, const TaskSet& set, const Agreement& agreement,
-                       const Transit& transit);
+                       const Transit& transit, const StillWanted& wanted = {});
 
 /// The same as one member sees it.
 struct Share {
@@ -31,7 +32,7 @@ struct Share {
   std::uint64_t exchanges = 0;
 };
 Share share_of(const Mission& mission, const TaskSet& set, const Agreement& agreement, AgentId self,
-               const Transit& transit);
+               const Transit& transit, const StillWanted& wanted = {});
 
 /// The same for everybody who comes to the same owners.
 std::uint64_t digest(const std::vector<std::optional<AgentId>>& owners);

@@ -27,7 +27,7 @@ Tour improved_tour(std::span<const TourArc> arcs, const Vec3& home_m, const Tran
   if (settings.solver == TourSolver::crsom) return start;
   TourSearch search(arcs, home_m, transit, settings.seed);
   for (const Tour& tour : starts) search.offer(tour);
-  search.improve(settings.iterations);
+  search.improve(std::uint64_t{settings.iterations} * arcs.size());
   const Tour found = search.tour();
   return found.total_m < start.total_m ? found : start;
 }

@@ -40,8 +40,8 @@ void TourSearch::offer(const Tour& tour) {
   if (other.best_cost() < search_->best_cost()) search_.emplace(std::move(other));
 }
 
-void TourSearch::improve(std::uint32_t iterations) {
-  for (std::uint32_t n = 0; search_ && n < iterations; ++n) search_->disturb();
+void TourSearch::improve(std::uint64_t iterations) {
+  for (std::uint64_t n = 0; search_ && n < iterations; ++n) search_->disturb();
 }
 
 Tour TourSearch::tour() const {

@@ -24,7 +24,7 @@ class TourSearch {
   /// A tour over all arcs; goes on from its local optimum where that is shorter than what there is.
   void offer(const Tour& tour);
   /// So many disturbances more.
-  void improve(std::uint32_t iterations);
+  void improve(std::uint64_t iterations);
   /// The best so far, directions exact.
   Tour tour() const;
 

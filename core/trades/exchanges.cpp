@@ -34,7 +34,7 @@ Effort effort_of(TradesKind kind, std::size_t lots, std::size_t traders) {
     const auto cycles = std::max<std::uint64_t>(1, changes / (40000 * lots));
     return {changes, cycles, 12, 0.5, 0.03};
   }
-  const std::uint64_t changes = std::min<std::uint64_t>(4000 * lots, 700'000 / traders);
+  const std::uint64_t changes = std::min<std::uint64_t>(4000 * lots, 450'000 / traders);
   return {changes, 1, 8, 0.1, 0.02};
 }
 

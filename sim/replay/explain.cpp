@@ -8,6 +8,7 @@
 #include "core/auction/bundle.hpp"
 #include "sim/replay/explain_text.hpp"
 #include "sim/replay/mind.hpp"
+#include "sim/replay/run_exchanges.hpp"
 
 namespace arcbid {
 
@@ -192,6 +193,11 @@ Explainer::Explainer(const RunArchive& run, const Playback& playback)
   for (const Moment& moment : playback.moments()) narrator.tell(moment);
   owners_ = narrator.owners();
   const TimeNs end_ns = playback.moments().empty() ? 0 : playback.moments().back().t_ns;
+  tell_owners(end_ns);
+  tell_exchanges(run, playback, end_ns);
+}
+
+void Explainer::tell_owners(TimeNs end_ns) {
   for (std::uint32_t j = 0; j < owners_.size(); ++j) {
     if (!owners_[j].winner) continue;
     Explanation last;
@@ -205,6 +211,27 @@ Explainer::Explainer(const RunArchive& run, const Playback& playback)
         last.rival = {told.agent, told.bid};
     last.text = text_of(last, {});
     by_task_[j].push_back(std::move(last));
+  }
+}
+
+void Explainer::tell_exchanges(const RunArchive& run, const Playback& playback, TimeNs end_ns) {
+  const std::optional<Agreement> agreement = last_agreement(run, playback);
+  if (!agreement) return;
+  RunExchanges exchanges(run);
+  const std::vector<AgentId>* flown_by = exchanges.owners(*agreement);
+  if (!flown_by) return;
+  for (std::uint32_t j = 0; j < flown_by->size(); ++j) {
+    const Belief& won = agreement->winners[j];
+    if (!won.winner || won.winner == (*flown_by)[j]) continue;
+    Explanation told;
+    told.t_ns = end_ns;
+    told.agent = (*flown_by)[j];
+    told.kind = Explanation::Kind::exchanged;
+    told.task = {j};
+    told.bid = won.bid;
+    told.rival = won;
+    told.text = text_of(told, {});
+    by_task_[j].push_back(std::move(told));
   }
 }
 

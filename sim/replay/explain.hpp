@@ -23,7 +23,8 @@ struct Explanation {
     outbid,    ///< the agent dropped it, for somebody else's bid
     released,  ///< the agent dropped it, for something that happened to another task
     death,     ///< the agent declared its winner dead, or heard that somebody did
-    owner      ///< the agent has it at the end
+    owner,     ///< the agent has it at the end of the auction
+    exchanged  ///< the agent flies it: exchanges after the auction gave it what another had won
   };
   TimeNs t_ns = 0;
   AgentId agent;
@@ -48,16 +49,19 @@ class Explainer {
  public:
   Explainer(const RunArchive& run, const Playback& playback);
 
-  /// In causal order; the last one names the owner, if there is one.
+  /// In causal order; the last one names who flies it, if somebody does.
   const std::vector<Explanation>& explain(TaskId task) const { return by_task_.at(task.value); }
   /// What one agent gained and lost, in its order.
   std::vector<Explanation> explain(AgentId agent) const;
-  /// Who has what at the end, for all that is on record: an entry for each task.
+  /// Who has what at the end of the auction, for all that is on record: an entry for each task.
   const std::vector<Belief>& owners() const { return owners_; }
   const RunIndex& index() const { return index_; }
 
  private:
   friend class Narrator;
+  void tell_owners(TimeNs end_ns);
+  void tell_exchanges(const RunArchive& run, const Playback& playback, TimeNs end_ns);
+
   RunIndex index_;
   std::vector<std::vector<Explanation>> by_task_;
   std::vector<Belief> owners_;

@@ -81,10 +81,18 @@ std::string owner(const Explanation& told) {
                            margin(told.bid, told.rival.bid));
 }
 
+std::string exchanged(const Explanation& told) {
+  return fmt::format(
+      "flies it: agent {} won it, and it changed hands in the exchanges after the auction, which "
+      "shorten the longest flight",
+      told.rival.winner->value);
+}
+
 }  // namespace
 
 std::string_view name_of(Explanation::Kind kind) {
-  constexpr std::array<std::string_view, 5> names{"bid", "outbid", "released", "death", "owner"};
+  constexpr std::array<std::string_view, 6> names{"bid",   "outbid", "released",
+                                                  "death", "owner",  "exchanged"};
   return names[static_cast<std::size_t>(kind)];
 }
 
@@ -103,6 +111,8 @@ std::string text_of(const Explanation& told, const Reason& reason) {
       return released(told, reason);
     case Explanation::Kind::death:
       return death(told);
+    case Explanation::Kind::exchanged:
+      return exchanged(told);
     case Explanation::Kind::owner:
       break;
   }

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "sim/replay/run_exchanges.hpp"
 #include "sim/view/view_data.hpp"
 
 namespace arcbid {
@@ -16,11 +17,15 @@ json number_of(const std::optional<AgentId>& agent) {
   return agent ? json(agent->value) : json(-1);
 }
 
-/// z and y of one agent, as they change with what its life comes to hold. A new life knows nothing.
+/// z and y of one agent, as they change with what its life comes to hold, and with the exchanges
+/// after what it agreed on, from its route on. A new life knows nothing.
 class Beliefs {
  public:
-  explicit Beliefs(const RunArchive& run)
-      : run_(run), known_(run.tasks.tasks.size()), view_(roster(*run.mission)) {}
+  Beliefs(const RunArchive& run, RunExchanges& exchanges)
+      : run_(run),
+        exchanges_(exchanges),
+        known_(run.tasks.tasks.size()),
+        view_(roster(*run.mission)) {}
 
   void live(const LifeLog& life) {
     view_ = View(roster(*run_.mission));
@@ -28,7 +33,11 @@ class Beliefs {
     std::map<std::size_t, std::vector<std::pair<std::size_t, Learnt>>> news;  // by mark
     for (std::size_t k = 0; k < run_.mission->fleet.size(); ++k)
       for (const Learnt& learnt : life.learnt()[k]) news[learnt.mark].emplace_back(k, learnt);
+    std::optional<Agreement> agreed;
     life.steps([&](std::size_t mark, const Step& step, std::string_view) {
+      if (step.update.agreed) agreed = step.update.agreed;
+      if (std::holds_alternative<RoutePublished>(step.event.what) && agreed)
+        note(life.marks()[mark].t_ns, life.marks()[mark].round, exchanged(*agreed));
       const auto learnt = news.find(mark);
       if (learnt == news.end()) return true;
       for (const auto& [member, what] : learnt->second) merge(member, what, step);
@@ -58,6 +67,13 @@ class Beliefs {
     else if (const auto* relay = std::get_if<RelayMessage>(&step.event.what))
       view_.merge(relay->statement);
   }
+  std::vector<Belief> exchanged(const Agreement& agreement) {
+    std::vector<Belief> flown = known_;
+    if (const auto* owners = exchanges_.owners(agreement))
+      for (std::size_t j = 0; j < flown.size(); ++j)
+        if (flown[j].winner) flown[j].winner = (*owners)[j];
+    return flown;
+  }
   std::vector<Belief> now(const Step& step) const {
     if (states_claims(run_.mission->auction.policy)) return best_claims(view_, known_.size());
     const auto* table =
@@ -78,6 +94,7 @@ class Beliefs {
   }
 
   const RunArchive& run_;
+  RunExchanges& exchanges_;
   std::vector<Belief> known_;
   View view_;
   json changes_ = json::array();
@@ -86,9 +103,10 @@ class Beliefs {
 /// One after another; of two that lived at once (a second process with the id) the first.
 json views_of(const RunArchive& run) {
   json views = json::array();
+  RunExchanges exchanges(run);
   for (std::size_t l = 0; l < run.lives.size();) {
     const AgentId agent = run.lives[l].agent();
-    Beliefs beliefs(run);
+    Beliefs beliefs(run, exchanges);
     TimeNs until_ns = INT64_MIN;
     for (; l < run.lives.size() && run.lives[l].agent() == agent; ++l) {
       if (run.lives[l].born_ns() < until_ns) continue;

@@ -11,7 +11,6 @@ constexpr double box_m = 100, height_m = 30, grid_m = 20;
 
 template <class T>
 const T& any_of_these(const std::vector<T>& choices, Dice& dice) {
-  if (choices.size() == 1) return choices[0];
   return choices[dice.between(0, static_cast<std::uint32_t>(choices.size() - 1))];
 }
 

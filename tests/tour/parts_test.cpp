@@ -132,11 +132,16 @@ double cost_of(const TourCosts& costs, const std::vector<std::uint32_t>& entries
   return std::min(along, against);
 }
 
+template <class T>
+void shuffle(std::vector<T>& list, std::mt19937& random) {
+  for (std::size_t n = list.size(); n > 1; --n) std::swap(list[n - 1], list[random() % n]);
+}
+
 /// A random exchange of `legs` distinct legs: any way to join their ends, closing or not.
 Exchange random_exchange(const Cycle& cycle, std::size_t legs, std::mt19937& random) {
   std::vector<std::uint32_t> gaps(cycle.arcs());
   std::iota(gaps.begin(), gaps.end(), 0U);
-  std::ranges::shuffle(gaps, random);
+  shuffle(gaps, random);
   Exchange out{.legs = legs, .ends = {}, .joined = {}};
   std::vector<std::uint8_t> ends;
   for (std::size_t n = 0; n < legs; ++n) {
@@ -147,7 +152,7 @@ Exchange random_exchange(const Cycle& cycle, std::size_t legs, std::mt19937& ran
     ends.push_back(static_cast<std::uint8_t>(2 * n));
     ends.push_back(static_cast<std::uint8_t>(2 * n + 1));
   }
-  std::ranges::shuffle(ends, random);
+  shuffle(ends, random);
   for (std::size_t n = 0; n < ends.size(); n += 2) {
     out.joined[ends[n]] = ends[n + 1];
     out.joined[ends[n + 1]] = ends[n];

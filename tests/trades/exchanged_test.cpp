@@ -3,7 +3,8 @@
 
 #include <gmock/gmock.h>
 
-#include <random>
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/uniform_real_distribution.hpp>
 
 #include "core/route/route.hpp"
 
@@ -15,9 +16,9 @@ using Paths = std::vector<std::vector<PathStop>>;
 /// Long and short arcs, cut into pieces that go to anybody, some to nobody.
 struct Won {
   explicit Won(std::uint64_t seed) {
-    std::mt19937_64 dice(seed);
+    boost::random::mt19937_64 dice(seed);
     const auto within = [&](double most) {
-      return std::uniform_real_distribution<double>(0, most)(dice);
+      return boost::random::uniform_real_distribution<double>(0, most)(dice);
     };
     for (std::uint32_t n = 0; n < 2 + seed % 5; ++n) {
       const Vec3 first(within(100), within(100), within(30));
@@ -87,6 +88,16 @@ TEST(Exchanged, OffLeavesWhatWasWon) {
   const FleetPaths after = won.exchanged();
   EXPECT_EQ(after.paths, won.paths);
   EXPECT_EQ(after.exchanges, 0u);
+}
+
+TEST(Exchanged, EndsSoonWhenItIsNotWantedAnyMore) {
+  const Won won(7);
+  int asked = 0;
+  const FleetPaths after = exchanged(won.mission, won.mission.fleet, won.set, won.paths,
+                                     won.transit, [&] { return ++asked < 3; });
+  EXPECT_EQ(asked, 3);
+  EXPECT_FALSE(after.is_better);
+  EXPECT_EQ(after.paths, won.paths);
 }
 
 TEST(Exchanged, EveryMemberWorksOutTheSame) {

@@ -20,7 +20,7 @@ Market::Market(std::uint64_t seed, std::size_t fleet, std::size_t count)
 }
 
 double Market::within(double least, double most) {
-  return std::uniform_real_distribution<double>(least, most)(dice);
+  return boost::random::uniform_real_distribution<double>(least, most)(dice);
 }
 
 std::uint32_t Market::below(std::size_t count) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/uniform_real_distribution.hpp>
 #include <cstdint>
-#include <random>
 #include <vector>
 
 #include "core/trades/allocation.hpp"
@@ -15,7 +16,7 @@ struct Market {
   std::vector<Trader> traders;
   std::vector<Lot> lots;
   Allocation start;
-  std::mt19937_64 dice;
+  boost::random::mt19937_64 dice;
 
   double within(double least, double most);
   std::uint32_t below(std::size_t count);

@@ -197,8 +197,10 @@ Keys<TourSettings> tour_keys() {
           "search."),
       key("epochs", &T::epochs, number<std::uint32_t>(1, 100000),
           "How often the whole arc set is shown to the ring."),
-      key("iterations", &T::iterations, number<std::uint32_t>(0, 100000000),
-          "How often the local search disturbs and repairs the tour; about 100,000 a second."),
+      key("iterations", &T::iterations, number<std::uint32_t>(0, 1000000),
+          "How often the local search disturbs and repairs the tour, for each arc; about 100,000 "
+          "in "
+          "all a second."),
   };
 }
 
