@@ -35,7 +35,7 @@ World::World(const WorldSpec& spec, const Trace& trace, WorldObserver* observer)
       network_(spec),
       script_(script_of(spec)),
       has_clock_fault_(spec.mission.fleet.size(), false),
-      checkers_(spec.mission, pieces_.size()),
+      checkers_(spec.mission, pieces_, *transit_),
       calm_ns_(arcbid::calm_ns(spec)),
       last_turn_ns_(arcbid::last_turn_ns(spec.faults)) {
   for (std::size_t k = 0; k < has_clock_fault_.size(); ++k)
