@@ -243,7 +243,8 @@ void HostedAgent::report(const Update& update) {
     report_("agreed", {{"view_hash", hex(update.agreed->view_hash)},
                        {"round", update.agreed->round},
                        {"time_s", agreed_s_},
-                       {"members", count(update.agreed->members)}});
+                       {"members", count(update.agreed->members)},
+                       {"no_bidders", no_bidders_json(update.agreed->left)}});
 }
 
 /// For whoever watches: no faster than it can be read, for rounds take a few milliseconds.

@@ -14,13 +14,6 @@ namespace {
 constexpr TimeNs resend_ticks = 4;    // own statements, until everybody confirmed them
 constexpr TimeNs patience_ticks = 8;  // before somebody else's statement is relayed
 
-const Uav& uav_of(const Mission& mission, AgentId self) {
-  const auto at = std::find_if(mission.fleet.begin(), mission.fleet.end(),
-                               [self](const Uav& uav) { return uav.id == self; });
-  check(at != mission.fleet.end(), "an agent is of its mission's fleet");
-  return *at;
-}
-
 TaskSet split_as_told(const Mission& mission) {
   return split(mission.arcs, mission.auction.split_m, mission.auction.max_tasks);
 }
@@ -255,21 +248,6 @@ void Agent::decided(bool changed, Update& update) {
   round_was_told_ = false;
   update.decision =
       DecisionMade{++round_, changed, view_.key(me_), policy_->statement(), policy_->path()};
-}
-
-void Agent::prove(Update& update) {
-  if (phase_ != Phase::auction || !readiness_.ready() || !policy_->agrees(view_)) return;
-  Agreement agreement{view_hash_, round_, {}, {}, {}};
-  for (std::size_t k = 0; k < view_.roster().size(); ++k) {
-    if (view_.dead(k)) continue;
-    if (!readiness_.set()[k]) return;
-    agreement.members.push_back(view_.roster()[k]);
-  }
-  agreement.winners = policy_->winners(view_);
-  agreement.path = policy_->path();
-  phase_ = Phase::agreed;
-  status_is_news_ = true;
-  update.agreed = std::move(agreement);
 }
 
 }  // namespace arcbid

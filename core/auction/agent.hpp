@@ -13,6 +13,7 @@
 #include "core/auction/dissemination.hpp"
 #include "core/auction/membership.hpp"
 #include "core/auction/message.hpp"
+#include "core/auction/no_bidders.hpp"
 #include "core/auction/policy.hpp"
 #include "core/auction/readiness.hpp"
 #include "core/auction/task_set.hpp"
@@ -53,6 +54,7 @@ struct Agreement {
   std::vector<AgentId> members;  ///< the living
   std::vector<Belief> winners;   ///< z and y, an entry for each task
   std::vector<PathStop> path;    ///< p_i of this agent
+  std::vector<NoBidder> left;    ///< what none of the members flies, and why
 };
 
 /// What the caller must carry out, in the order of the fields.
@@ -106,6 +108,7 @@ class Agent {
   void decided(bool changed, Update& update);
   void state(std::uint32_t version);
   void prove(Update& update);
+  std::vector<NoBidder> left_over(const Agreement& agreement) const;
   void send(Update& update);
   StatusMessage status(bool whole) const;
   void tell_what_is_held(StatusMessage& status) const;

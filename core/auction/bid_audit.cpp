@@ -9,6 +9,16 @@
 #include "core/base/error.hpp"
 
 namespace arcbid {
+namespace {
+
+std::string cannot_fly(AgentId agent, TaskId task) {
+  return fmt::format(
+      "agent {} bids for task {}, for which it has not the payload or, after what it bid for "
+      "before, not the endurance",
+      agent.value, task.value);
+}
+
+}  // namespace
 
 BidAudit::BidAudit(const TaskSet& set, const std::vector<Uav>& fleet,
                    const AuctionSettings& settings, const Transit& transit)
@@ -47,6 +57,7 @@ std::optional<std::string> BidAudit::refusal(std::size_t author, const Claims& c
   for (std::size_t n = 0; n < bundle.size(); ++n) {
     const Claim& stated = bundle[n];
     const double allowed = n < kept ? replay.claims()[n].bid : replay.bid(stated.task);
+    if (allowed == unflyable) return cannot_fly(fleet_[author].id, stated.task);
     largest = std::max(largest, std::abs(allowed));
     // Not "greater": a bid that comes to NaN allows nothing.
     if (!(std::abs(stated.bid - allowed) <= tolerance * largest))
@@ -60,14 +71,18 @@ std::optional<std::string> BidAudit::refusal(std::size_t author, const Claims& c
 /// By diminishing gains nothing is bid that exceeds the bid with an empty path. That also holds
 /// where tasks are inserted into a discounted path: none is worth more than flown to directly. For
 /// MiniSum a detour already flown makes a task cheaper; but the bundle's first bid was made with an
-/// empty path, and warped bids never rise above it.
+/// empty path, and warped bids never rise above it. What a UAV cannot fly alone it cannot fly with
+/// more.
 const std::vector<double>& BidAudit::most(std::size_t member) {
   std::vector<double>& most = most_[member];
   if (!most.empty()) return most;
   const auto score = make_score(set_, fleet_[member], settings_, transit_);
   for (const Task& task : set_.tasks) most.push_back(score->best(task.id).gain);
-  if (settings_.score == ScoreKind::minisum)
-    most.assign(most.size(), *std::max_element(most.begin(), most.end()));
+  if (settings_.score == ScoreKind::minisum) {
+    const double first = *std::max_element(most.begin(), most.end());
+    for (double& bid : most)
+      if (bid > unflyable) bid = first;
+  }
   return most;
 }
 
@@ -76,6 +91,7 @@ std::optional<std::string> BidAudit::refusal(std::size_t author, const Table& ta
     const Belief& belief = table.beliefs[j];
     if (!belief.winner) continue;
     const double allowed = most(position(*belief.winner))[j];
+    if (allowed == unflyable) return cannot_fly(*belief.winner, {static_cast<std::uint32_t>(j)});
     if (!(belief.bid - allowed <= tolerance * std::abs(allowed)))
       return fmt::format("agent {} believes that agent {} bid {} for task {}, at most {} is true",
                          fleet_[author].id.value, belief.winner->value, belief.bid, j, allowed);

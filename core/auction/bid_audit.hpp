@@ -13,7 +13,9 @@ namespace arcbid {
 /// Bids are no matter of opinion: they follow from the mission, so that everybody can tell a false
 /// one, whoever passed it on. Claims come in the order in which they were taken and are recomputed
 /// one by one; too low is as false as too high. A table does not tell the order of its bids: there
-/// a bid must not exceed the most that its winner could ever bid for the task.
+/// a bid must not exceed the most that its winner could ever bid for the task. A bid for what the
+/// bidder cannot fly (core/auction/limits.hpp) is false whatever its height; in a table, for what
+/// it could not fly alone.
 class BidAudit {
  public:
   /// Share of a bundle's largest bid by which a bid may be off. Not for ties, which stay exact: it

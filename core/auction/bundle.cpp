@@ -27,7 +27,7 @@ double Bundle::bid(double gain, std::size_t step) const {
 
 bool Bundle::wins(TaskId j, double gain, std::size_t step,
                   const std::vector<Belief>& rivals) const {
-  return beats(bid(gain, step), self_, rivals[j.value]);
+  return gain > unflyable && beats(bid(gain, step), self_, rivals[j.value]);
 }
 
 /// In two passes, so that tasks whose gain is only bounded are priced exactly only when they may be
@@ -39,8 +39,9 @@ Bundle::Choice Bundle::choose(std::vector<TaskId>& candidates, const std::vector
   std::erase_if(candidates, [&](TaskId j) {
     const auto [gain, exact] = score_->bound(j);
     if (!wins(j, gain, step, rivals)) {
-      // A gain that can only fall will not win later in this build either.
-      if (!score_->diminishing()) return false;
+      // A gain that can only fall will not win later in this build either. What cannot be flown
+      // stays a candidate: around obstacles a further stop may make a tour a little shorter.
+      if (!score_->diminishing() || gain == unflyable) return false;
       score_->retire(j);
       retired_at_[j.value] = static_cast<std::uint32_t>(step);
       return true;

@@ -38,7 +38,8 @@ bool Bundle::overtakes(TaskId j, std::size_t step, const std::vector<Belief>& ri
   const bool loses = !bound.exact && !wins(j, bound.gain, step, rivals);
   const double gain = loses ? bound.gain : score_->best(j).gain;
   if (!wins(j, gain, step, rivals)) {
-    if (score_->diminishing()) retired_at_[j.value] = static_cast<std::uint32_t>(step);
+    if (score_->diminishing() && gain > unflyable)
+      retired_at_[j.value] = static_cast<std::uint32_t>(step);
     return false;
   }
   if (step == claims_.size()) return true;

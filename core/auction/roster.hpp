@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/arcs/mission.hpp"
+#include "core/base/error.hpp"
 #include "core/base/ids.hpp"
 
 namespace arcbid {
@@ -15,6 +16,14 @@ inline std::vector<AgentId> roster_of(const Mission& mission) {
   std::vector<AgentId> roster;
   for (const Uav& uav : mission.fleet) roster.push_back(uav.id);
   return roster;
+}
+
+/// The UAV of that id, which is of the mission's fleet.
+inline const Uav& uav_of(const Mission& mission, AgentId agent) {
+  const auto at = std::find_if(mission.fleet.begin(), mission.fleet.end(),
+                               [agent](const Uav& uav) { return uav.id == agent; });
+  check(at != mission.fleet.end(), "an agent is of its mission's fleet");
+  return *at;
 }
 
 /// Where an agent stands in a roster of ascending ids.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -17,9 +18,13 @@ struct PathStop {
   friend bool operator==(const PathStop&, const PathStop&) = default;
 };
 
-/// The best way to take one more task: eqs. (7) and (8).
+/// The marginal score of a task that the UAV cannot fly as well (core/auction/limits.hpp): never
+/// bid.
+inline constexpr double unflyable = -std::numeric_limits<double>::infinity();
+
+/// The best way to take one more task: eqs. (7) and (8), among those that the UAV can fly.
 struct Insertion {
-  double gain = 0;             ///< c_ij, the marginal score; higher is better, may be negative
+  double gain = 0;  ///< c_ij, the marginal score; higher is better, may be negative, or unflyable
   std::uint32_t position = 0;  ///< l*: the task comes before what now stands there
   bool reversed = false;
   friend bool operator==(const Insertion&, const Insertion&) = default;
@@ -62,6 +67,8 @@ class PathScore {
 ///   when it is added at the end of the path;
 /// - discounted_insert, discounted_insert_warped: what j adds to the sum of these over the path
 ///   where it fits best; the two differ in the bids only (Bundle).
+/// A task that the UAV has no payload for, or that makes its tour longer than it lasts wherever the
+/// score may put it, is unflyable; where some of these places are, the best of the others counts.
 std::unique_ptr<PathScore> make_score(const TaskSet& set, const Uav& uav,
                                       const AuctionSettings& settings, const Transit& transit);
 

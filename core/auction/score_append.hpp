@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/auction/limits.hpp"
 #include "core/auction/score.hpp"
 
 namespace arcbid {
@@ -10,7 +11,8 @@ namespace arcbid {
 /// Scores that add a task at the end of the path: S(p) = sum of v_j exp(-rho t_j). Either t_j is
 /// when task j is done on that path (Choi, Brunet, How 2009, section V), or, `from_home`, when it
 /// would be done were it the only one. Both have diminishing gains: a longer path leads to a task
-/// no sooner, by the triangle inequality.
+/// no sooner, by the triangle inequality. Nor does it come home any sooner after the task: a way to
+/// fly the task that lasts too long goes on doing so.
 class AppendScore final : public PathScore {
  public:
   AppendScore(const TaskSet& set, const Uav& uav, const Transit& transit, double discount_per_s,
@@ -26,15 +28,19 @@ class AppendScore final : public PathScore {
  private:
   void fly(const PathStop& stop);
   double transit_s(const Vec3& from, const Vec3& to) const;
+  bool can_fly(const Task& task, bool reversed) const;
 
   const TaskSet& set_;
   const Uav uav_;
+  const Limits limits_;
   const Transit& transit_;
   const double discount_per_s_;
   const bool from_home_;
   std::vector<PathStop> path_;
-  Vec3 at_m_ = Vec3::Zero();  // where the next leg starts
-  double done_s_ = 0;         // and when
+  Vec3 at_m_ = Vec3::Zero();   // where the next leg starts
+  double done_s_ = 0;          // and when
+  Vec3 end_m_ = Vec3::Zero();  // where the path as it stands ends
+  double flown_m_ = 0;         // and what it takes from home to there
 };
 
 }  // namespace arcbid

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/auction/limits.hpp"
 #include "core/auction/score.hpp"
 
 namespace arcbid {
@@ -30,15 +31,16 @@ class DiscountedScore final : public PathScore {
 
  private:
   /// One way of doing a task between two stops: own_l / v_j, and exp(-rho t) of the way on, t from
-  /// the task's end to the next stop (unused at the end of the path).
+  /// the task's end to the next stop (unused at the end of the path); and what it adds to the tour.
   struct Place {
-    double arrival = 0, onward = 0;
+    double arrival = 0, onward = 0, added_m = 0;
   };
   struct Slot {
     Place ahead, back;
   };
   const Vec3& entry(const PathStop& stop) const;
   const Vec3& exit(const PathStop& stop) const;
+  const Vec3& begin(std::size_t position) const;
   double transit_s(const Vec3& from, const Vec3& to) const;
   double discounted(double seconds) const;
   Slot slot(TaskId task, std::size_t position) const;
@@ -48,10 +50,13 @@ class DiscountedScore final : public PathScore {
 
   const TaskSet& set_;
   const Uav uav_;
+  const Limits limits_;
   const Transit& transit_;
   const double discount_per_s_;
   std::vector<PathStop> path_;
-  std::vector<double> leg_;               // leg_[l]: exp(-rho t), t the transit into stop l
+  std::vector<double> leg_;    // leg_[l]: exp(-rho t), t the transit into stop l
+  std::vector<double> leg_m_;  // the same in metres; the last one leads home
+  double tour_m_ = 0;
   std::vector<double> discount_;          // discount_[l]: exp(-rho T_l)
   std::vector<double> rest_value_;        // rest_value_[l]: score of the stops from l on
   std::vector<std::vector<Slot>> slots_;  // by task, then position; empty: not asked for

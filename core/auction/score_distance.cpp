@@ -16,7 +16,7 @@ void DistanceScore::Lengths::resize(std::size_t size) {
 }
 
 DistanceScore::DistanceScore(const TaskSet& set, const Uav& uav, const Transit& transit, Gain gain)
-    : set_(set), uav_(uav), transit_(transit), gain_(gain) {
+    : set_(set), uav_(uav), limits_(uav), transit_(transit), gain_(gain) {
   assign({});
 }
 
@@ -106,8 +106,9 @@ DistanceScore::Cached& DistanceScore::known(TaskId task) {
 double DistanceScore::gain(double detour_m, TaskId task) const {
   const double length_m = set_.tasks[task.value].length_m();
   const double added_m = detour_m + length_m;
-  if (gain_ == Gain::added) return -added_m / uav_.speed_mps;
   const double whole_m = tour_m_ + added_m;
+  if (!limits_.serves(set_.tasks[task.value]) || !limits_.lasts(whole_m)) return unflyable;
+  if (gain_ == Gain::added) return -added_m / uav_.speed_mps;
   return -(gain_ == Gain::long_first ? whole_m - 2 * length_m : whole_m) / uav_.speed_mps;
 }
 

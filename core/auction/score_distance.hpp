@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "core/auction/limits.hpp"
 #include "core/auction/score.hpp"
 
 namespace arcbid {
@@ -12,6 +13,8 @@ namespace arcbid {
 /// task still asked for is kept, and an insertion costs O(1) for each. A task whose best place was
 /// just taken keeps its old cost as a lower bound, and is scanned again only when somebody asks for
 /// the exact one. Lengths are asked for many at once: it is what most of an auction's time goes to.
+/// The cheapest insertion makes the shortest tour: when that is too long for the UAV, all are; and
+/// no longer path has a shorter one.
 class DistanceScore final : public PathScore {
  public:
   /// What a task gains. whole_tour: MiniMax, minus the time of the whole tour, which has
@@ -57,6 +60,7 @@ class DistanceScore final : public PathScore {
 
   const TaskSet& set_;
   const Uav uav_;
+  const Limits limits_;
   const Transit& transit_;
   const Gain gain_;
   std::vector<PathStop> path_;

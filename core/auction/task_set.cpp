@@ -51,6 +51,7 @@ void cut_arc(const Arc& arc, double length_m, double piece_m, std::vector<Task>&
   const std::size_t count = pieces_of(length_m, piece_m);
   for (std::size_t k = 0; k < count; ++k) {
     Task task{.id = {static_cast<std::uint32_t>(tasks.size())}, .arc = arc.id};
+    task.payload = arc.payload;
     task.from_m = static_cast<double>(k) * piece_m;
     task.to_m = k + 1 == count ? length_m : static_cast<double>(k + 1) * piece_m;
     const auto polyline = part(arc.waypoints, task.from_m, task.to_m);
@@ -64,6 +65,7 @@ std::uint64_t digest_of(const std::vector<Task>& tasks) {
   Digest d;
   for (const Task& task : tasks) {
     d.add(std::uint64_t{task.arc.value}).add(task.from_m).add(task.to_m);
+    d.add(static_cast<std::uint64_t>(task.payload));
     for (int axis = 0; axis < 3; ++axis) d.add(task.first_m[axis]).add(task.last_m[axis]);
   }
   return d.value();

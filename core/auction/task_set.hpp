@@ -18,6 +18,7 @@ struct Task {
   double from_m = 0, to_m = 0;  ///< distances along the arc from its first waypoint, from_m < to_m
   Vec3 first_m = Vec3::Zero(), last_m = Vec3::Zero();  ///< where the piece begins and ends
   double value = 0;  ///< to discounted scores: the length in metres, unless it was given
+  Payload payload = Payload::any;  ///< what it must be flown with: its arc's
   double length_m() const { return to_m - from_m; }
 };
 

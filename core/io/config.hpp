@@ -35,6 +35,8 @@ struct FleetConfig {
   std::uint32_t agents = 4;
   std::uint32_t agents_per_process = 1;  ///< more: fewer, larger processes
   double speed_mps = 1.0;
+  std::optional<double> endurance_s;  ///< none: no limit
+  Payload payload = Payload::any;
   /// Explicit UAVs; empty: `agents` of them in a row on the ground beside the structure.
   std::vector<Uav> uavs;
 };

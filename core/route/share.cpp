@@ -2,10 +2,11 @@
 #include "core/route/share.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
+#include "core/auction/no_bidders.hpp"
 #include "core/base/digest.hpp"
-#include "core/base/error.hpp"
 
 namespace arcbid {
 namespace {
@@ -19,18 +20,16 @@ std::vector<Uav> members_of(const Mission& mission, const Agreement& agreement) 
 }
 
 /// What one member won, as a path. Tables of beliefs do not tell how their owners order their
-/// tasks, so tasks are inserted anew, the highest bid first: as an auction's bundle grows.
+/// tasks, so they are taken anew, the highest bid first: as an auction's bundle grows.
 std::vector<PathStop> path_won(const Mission& mission, const TaskSet& set,
                                const std::vector<Belief>& winners, const Uav& uav,
                                const Transit& transit) {
-  std::vector<std::pair<double, TaskId>> won;
+  std::vector<TaskId> won;
   for (std::uint32_t j = 0; j < winners.size(); ++j)
-    if (winners[j].winner == uav.id) won.push_back({-winners[j].bid, {j}});
-  std::ranges::sort(won);
-  const auto score = make_score(set, uav, mission.auction, transit);
-  score->assign({});
-  for (const auto& [bid, task] : won) score->insert(task, score->best(task));
-  return score->path();
+    if (winners[j].winner == uav.id) won.push_back({j});
+  std::ranges::stable_sort(won, std::greater(),
+                           [&](TaskId task) { return winners[task.value].bid; });
+  return path_of(won, set, uav, mission.auction, transit);
 }
 
 std::vector<std::optional<AgentId>> owners_of(const std::vector<Belief>& winners) {

@@ -2,6 +2,7 @@
 #include "sim/auction/arc_instance.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <fstream>
@@ -50,6 +51,12 @@ class Reader {
     return value.get<double>();
   }
 
+  Payload payload(const Json& value, const std::string& where) const {
+    for (std::size_t n = 0; n < payload_names.size(); ++n)
+      if (value == payload_names[n]) return static_cast<Payload>(n);
+    refuse(where, fmt::format("{} is not one of {}", value.dump(), fmt::join(payload_names, ", ")));
+  }
+
   [[noreturn]] void refuse(const std::string& where, const std::string& why) const {
     throw InputError(fmt::format("{}: {}: {}", file_, where, why));
   }
@@ -63,20 +70,28 @@ Uav read_uav(const Reader& reader, const Json& entry, std::uint32_t n) {
   const std::string where = fmt::format("agents[{}]", n);
   if (!entry.is_object() || !entry.contains("home")) reader.refuse(where, "has no home");
   Uav uav{{n + 1}, reader.point(entry["home"], where + ".home")};
-  if (!entry.contains("speed_mps")) return uav;
-  uav.speed_mps = reader.number(entry["speed_mps"], where + ".speed_mps");
-  if (!(uav.speed_mps > 0))
-    reader.refuse(where + ".speed_mps", fmt::format("{} is not above 0", uav.speed_mps));
+  const auto above_0 = [&](const char* key) {
+    const std::string place = where + "." + key;
+    const double value = reader.number(entry[key], place);
+    if (!(value > 0)) reader.refuse(place, fmt::format("{} is not above 0", value));
+    return value;
+  };
+  if (entry.contains("speed_mps")) uav.speed_mps = above_0("speed_mps");
+  if (entry.contains("endurance_s")) uav.endurance_s = above_0("endurance_s");
+  if (entry.contains("payload")) uav.payload = reader.payload(entry["payload"], where + ".payload");
   return uav;
 }
 
 Arc read_arc(const Reader& reader, const Json& entry, std::uint32_t n) {
   const std::string where = fmt::format("arcs[{}]", n);
-  if (!entry.is_array()) reader.refuse(where, "is not a list of points");
   Arc arc;
   arc.id = {n};
-  for (std::size_t k = 0; k < entry.size(); ++k) {
-    const Vec3 at_m = reader.point(entry[k], fmt::format("{}[{}]", where, k));
+  if (entry.is_object() && entry.contains("payload"))
+    arc.payload = reader.payload(entry["payload"], where + ".payload");
+  const Json& points = entry.is_object() && entry.contains("points") ? entry["points"] : entry;
+  if (!points.is_array()) reader.refuse(where, "is not a list of points, or an object with points");
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const Vec3 at_m = reader.point(points[k], fmt::format("{}[{}]", where, k));
     if (arc.waypoints.empty() || arc.waypoints.back().position_m != at_m)
       arc.waypoints.push_back({at_m, -Vec3::UnitZ()});
   }

@@ -39,6 +39,14 @@ double variance(const std::vector<double>& shares) {
   return sum / static_cast<double>(shares.size());
 }
 
+std::vector<NoBidder> left_over(const Mission& mission, const TaskSet& set,
+                                const RoundsOutcome& won, const Transit& transit) {
+  std::vector<Winnings> members;
+  for (std::size_t i = 0; i < mission.fleet.size(); ++i)
+    members.push_back({mission.fleet[i], won.paths[i], won.stops[i]});
+  return no_bidders(members, set, mission.auction, transit);
+}
+
 double ratio(double part, double whole) {
   return whole > 0 ? part / whole : 0;
 }
@@ -58,6 +66,7 @@ FleetRun run_fleet(const Mission& mission, Graph graph, TradesKind trades) {
   for (const auto& path : won.stops) run.unassigned -= path.size();
   run.auction_cpu_s = watch.lap_s();
   const StraightTransit transit;
+  if (run.unassigned > 0) run.left = left_over(mission, instance.tasks, won, transit);
   Mission as_told = mission;
   as_told.auction.trades = trades;
   const FleetPaths after = exchanged(as_told, mission.fleet, instance.tasks, won.stops, transit);
@@ -85,6 +94,8 @@ std::string to_json(const FleetRun& run) {
     routes.push_back(route);
     counts.push_back(static_cast<double>(pieces.size()));
   }
+  nlohmann::json left = nlohmann::json::array();
+  for (const NoBidder& one : run.left) left.push_back(to_text(one));
   const auto uniformity = [](const std::vector<double>& shares) {
     return 1 / (variance(shares) + 1);
   };
@@ -103,6 +114,7 @@ std::string to_json(const FleetRun& run) {
         {"fleet_s", run.auction_cpu_s + fleet * run.trades_cpu_s + run.tours_cpu_s}}},
       {"tasks", run.tasks},
       {"unassigned", run.unassigned},
+      {"no_bidders", left},
       {"converged", run.converged},
       {"agreed", run.agreed},
       {"times_s", run.times_s},

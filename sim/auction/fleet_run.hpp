@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/arcs/mission.hpp"
+#include "core/auction/no_bidders.hpp"
 #include "core/trades/exchanges.hpp"
 #include "sim/auction/rounds.hpp"
 
@@ -21,6 +22,7 @@ struct FlownPiece {
 struct FleetRun {
   bool converged = false, agreed = false;
   std::size_t tasks = 0, unassigned = 0;
+  std::vector<NoBidder> left;                   ///< what makes up `unassigned`, and why
   std::vector<std::vector<FlownPiece>> routes;  ///< by member
   std::vector<double> times_s;                  ///< home to home
   double total_length_m = 0;
@@ -34,7 +36,7 @@ struct FleetRun {
 FleetRun run_fleet(const Mission& mission, Graph graph, TradesKind trades);
 
 /// One JSON object: makespan_s, total_length_m, uniformity (eq. 18) on pieces and on flight times,
-/// cv_time (their standard deviation over their mean), exchanges, cpu_s, routes.
+/// no_bidders, cv_time (their standard deviation over their mean), exchanges, cpu_s, routes.
 std::string to_json(const FleetRun& run);
 
 }  // namespace arcbid

@@ -35,6 +35,9 @@ void compare(const Delivered& one, const Delivered& other, Problems& problems) {
   if (one.tasks.size() != other.tasks.size())
     problems.add(fmt::format("agent {} knows {} tasks, agent {} knows {}", one.agent,
                              one.tasks.size(), other.agent, other.tasks.size()));
+  if (one.left != other.left)
+    problems.add(
+        fmt::format("agents {} and {} differ on what has no bidder", one.agent, other.agent));
   const std::size_t rows = std::min(one.tasks.size(), other.tasks.size());
   for (std::size_t k = 0; k < rows; ++k) {
     const TaskRow &a = one.tasks[k], &b = other.tasks[k];
@@ -57,18 +60,22 @@ Problems check_completeness(const std::vector<Delivered>& all) {
   std::set<std::uint32_t> living;
   for (const Delivered& delivered : all) living.insert(delivered.agent);
   Problems problems;
-  const auto check_row = [&](std::uint32_t holder, const TaskRow& row) {
-    const std::string where = fmt::format("agent {}'s table: task {} (arc {} {} to {} m)", holder,
-                                          row.task, row.arc, row.from_m, row.to_m);
-    if (!row.owner)
-      problems.add(where + " has no owner");
+  const auto check_row = [&](const Delivered& holder, const TaskRow& row) {
+    const std::string where = fmt::format("agent {}'s table: task {} (arc {} {} to {} m)",
+                                          holder.agent, row.task, row.arc, row.from_m, row.to_m);
+    const bool is_said = std::ranges::any_of(
+        holder.left, [&](const Left& left) { return holds(left, row.arc, row.from_m, row.to_m); });
+    if (!row.owner && !is_said)
+      problems.add(where + " has no owner, and no reason is given");
+    else if (!row.owner)
+      return;
     else if (!living.contains(*row.owner))
       problems.add(
           fmt::format("{} is owned by agent {}, which delivered no route", where, *row.owner));
   };
   for (const Delivered& delivered : all) {
     if (&delivered != &all[0] && delivered.tasks == all[0].tasks) continue;
-    for (const TaskRow& row : delivered.tasks) check_row(delivered.agent, row);
+    for (const TaskRow& row : delivered.tasks) check_row(delivered, row);
   }
   return problems;
 }

@@ -50,6 +50,9 @@ Problems check_conservation(const Published& published, const std::vector<Delive
       if (leg.arc)
         flown[*leg.arc].push_back({std::min(leg.from_m, leg.to_m), std::max(leg.from_m, leg.to_m),
                                    fmt::format("agent {}", delivered.agent)});
+  for (const Left& left : all[0].left)
+    flown[left.arc].push_back(
+        {std::min(left.from_m, left.to_m), std::max(left.from_m, left.to_m), "nobody, as is said"});
   check_tiling(published, std::move(flown), "combine, all routes", problems);
   return problems;
 }

@@ -70,6 +70,12 @@ std::vector<Delivered> read_routes(const std::filesystem::path& run, Problems& p
 
 }  // namespace
 
+double CheckReport::left_m() const {
+  double sum_m = 0;
+  for (const LeftUndone& one : left) sum_m += one.to_m - one.from_m;
+  return sum_m;
+}
+
 CheckReport check_run(const std::filesystem::path& run) {
   CheckReport report;
   Published published;
@@ -89,7 +95,11 @@ CheckReport check_run(const std::filesystem::path& run) {
   }
   for (const Delivered& delivered : all) check_route(published, delivered, route_problems);
   report.conflict_free = verdict("conflict_free", check_conflicts(all), report);
-  report.complete = verdict("complete", check_completeness(all), report);
+  Problems incomplete = check_completeness(all);
+  check_left(published, all, incomplete);
+  report.complete = verdict("complete", incomplete, report);
+  for (const Left& left : all[0].left)
+    report.left.push_back({left.arc, left.from_m, left.to_m, left.why, left.text});
   report.arcs_conserved = verdict("arcs_conserved", check_conservation(published, all), report);
   report.routes_valid = verdict("routes_valid", route_problems, report);
   return report;

@@ -30,13 +30,22 @@ class Problems {
 /// One and the same task table everywhere, agreed under one view, each task in it once.
 Problems check_conflicts(const std::vector<Delivered>& all);
 
-/// Every task has an owner that delivered.
+/// Every task has an owner that delivered, or lies in a stretch that is said to have no bidder.
 Problems check_completeness(const std::vector<Delivered>& all);
 
-/// Tasks tile the arcs (split), and so do the legs flown (combine).
+/// What is said to have no bidder has none, and the reason holds as far as it can be recomputed: to
+/// the last second where transits are straight, else against straight ones, which are shorter.
+void check_left(const Published& published, const std::vector<Delivered>& all, Problems& problems);
+
+/// Whether `left` holds all of from_m to to_m of the arc.
+bool holds(const Left& left, std::uint32_t arc, double from_m, double to_m);
+
+/// Tasks tile the arcs (split), and so do the legs flown and what is said to have no bidder
+/// (combine).
 Problems check_conservation(const Published& published, const std::vector<Delivered>& all);
 
-/// One agent's route: home to home without a jump, on the arcs, just the tasks it won.
+/// One agent's route: home to home without a jump, on the arcs, just the tasks it won, with what it
+/// carries and as long as it lasts.
 void check_route(const Published& published, const Delivered& delivered, Problems& problems);
 
 /// Sum over all legs' waypoints.

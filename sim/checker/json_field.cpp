@@ -29,6 +29,11 @@ JsonField JsonField::at(const char* key) const {
   return {*found, place};
 }
 
+std::optional<JsonField> JsonField::find(const char* key) const {
+  if (!value_->is_object() || !value_->contains(key)) return std::nullopt;
+  return at(key);
+}
+
 std::vector<JsonField> JsonField::elements() const {
   if (!value_->is_array()) refuse("an array");
   std::vector<JsonField> result;

@@ -25,6 +25,7 @@ class JsonField {
       : value_(&value), place_(std::move(place)) {}
 
   JsonField at(const char* key) const;
+  std::optional<JsonField> find(const char* key) const;  ///< none: older runs do not say it
   std::vector<JsonField> elements() const;
   bool is_null() const { return value_->is_null(); }
 

@@ -5,6 +5,17 @@
 
 namespace arcbid {
 
+nlohmann::ordered_json no_bidders_json(const CheckReport& report) {
+  auto out = nlohmann::ordered_json::array();
+  for (const LeftUndone& left : report.left)
+    out.push_back({{"arc", left.arc},
+                   {"from_m", left.from_m},
+                   {"to_m", left.to_m},
+                   {"why", left.why},
+                   {"text", left.text}});
+  return out;
+}
+
 std::string to_json(const CheckReport& report) {
   using Json = nlohmann::ordered_json;
   Json agents = Json::array();
@@ -16,11 +27,13 @@ std::string to_json(const CheckReport& report) {
                       {"time_s", a.time_s}});
   const Json json{{"schema", 1},
                   {"ok", report.ok()},
+                  {"all_done", report.all_done()},
                   {"conflict_free", report.conflict_free},
                   {"complete", report.complete},
                   {"arcs_conserved", report.arcs_conserved},
                   {"routes_valid", report.routes_valid},
                   {"problems", report.problems},
+                  {"no_bidders", no_bidders_json(report)},
                   {"arcs", report.arcs},
                   {"tasks", report.tasks},
                   {"agents", report.agents},

@@ -92,6 +92,23 @@ void check_sums(const FleetAgent& uav, const Delivered& delivered, Problems& pro
                              sum_m / uav.speed_mps));
 }
 
+/// What it carries and how long it lasts: rounding is no reason to call a route too long.
+void check_limits(const Published& published, const FleetAgent& uav, const Delivered& delivered,
+                  Problems& problems) {
+  constexpr double rounding = 1e-6;
+  const double time_s = flown_m(delivered) / uav.speed_mps;
+  if (uav.endurance_s && time_s > *uav.endurance_s * (1 + rounding))
+    problems.add(fmt::format("agent {}: its route takes {:.4f} s, its endurance is {} s",
+                             delivered.agent, time_s, *uav.endurance_s));
+  for (std::size_t k = 0; k < delivered.legs.size(); ++k) {
+    const auto& arc = delivered.legs[k].arc;
+    const auto found = arc ? published.arcs.find(*arc) : published.arcs.end();
+    if (found != published.arcs.end() && !uav.serves(found->second.payload))
+      problems.add(fmt::format("agent {} leg {}: arc {} needs a {}, it carries a {}",
+                               delivered.agent, k, *arc, found->second.payload, uav.payload));
+  }
+}
+
 }  // namespace
 
 void check_route(const Published& published, const Delivered& delivered, Problems& problems) {
@@ -110,6 +127,7 @@ void check_route(const Published& published, const Delivered& delivered, Problem
   }
   check_won_is_flown(delivered, problems);
   check_sums(uav->second, delivered, problems);
+  check_limits(published, uav->second, delivered, problems);
 }
 
 double flown_m(const Delivered& delivered) {

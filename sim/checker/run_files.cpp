@@ -34,13 +34,19 @@ Path read_path(const JsonField& field) {
 }
 
 FleetAgent read_fleet_agent(const JsonField& field) {
-  const FleetAgent agent{read_point(field.at("home_m")), field.at("speed_mps").number()};
+  FleetAgent agent{read_point(field.at("home_m")), field.at("speed_mps").number(), {}, "any"};
   if (agent.speed_mps <= 0) field.at("speed_mps").refuse("above 0");
+  if (const auto endurance = field.find("endurance_s")) {
+    agent.endurance_s = endurance->number_or_null();
+    if (agent.endurance_s && *agent.endurance_s <= 0) endurance->refuse("above 0, or null");
+  }
+  if (const auto payload = field.find("payload")) agent.payload = payload->text();
   return agent;
 }
 
 PublishedArc read_arc(const JsonField& field) {
-  PublishedArc arc{read_path(field.at("waypoints")), 0};
+  PublishedArc arc{read_path(field.at("waypoints")), "any", 0};
+  if (const auto payload = field.find("payload")) arc.payload = payload->text();
   arc.length_m = length_m(arc.waypoints);
   if (!same_length(field.at("length_m").number(), arc.length_m))
     field.at("length_m").refuse(fmt::format("{:.4f}", arc.length_m).c_str());
@@ -48,12 +54,27 @@ PublishedArc read_arc(const JsonField& field) {
 }
 
 TaskRow read_task(const JsonField& field) {
+  const auto won_by = field.find("won_by");
   return {.task = field.at("task").id(),
           .arc = field.at("arc").id(),
           .from_m = field.at("from_m").number(),
           .to_m = field.at("to_m").number(),
           .owner = field.at("owner").id_or_null(),
+          .won_by = (won_by ? *won_by : field.at("owner")).id_or_null(),
           .bid = field.at("bid").number_or_null()};
+}
+
+Left read_left(const JsonField& field) {
+  return {.arc = field.at("arc").id(),
+          .from_m = field.at("from_m").number(),
+          .to_m = field.at("to_m").number(),
+          .why = field.at("why").text(),
+          .needs = field.at("needs").text(),
+          .agent = field.at("agent").id_or_null(),
+          .needed_s = field.at("needed_s").number(),
+          .endurance_s = field.at("endurance_s").number(),
+          .limit = field.at("limit").id(),
+          .text = field.at("text").text()};
 }
 
 Leg read_leg(const JsonField& field) {
@@ -78,6 +99,8 @@ Published read_published(const std::filesystem::path& file) {
   require_schema(document);
   Published published;
   published.mission = document.at("mission").at("id").text();
+  if (const auto transits = document.find("transits"))
+    published.transits_are_straight = transits->text() == "straight";
   for (const JsonField& field : document.at("fleet").elements())
     if (!published.fleet.emplace(field.at("agent").id(), read_fleet_agent(field)).second)
       field.at("agent").refuse("an id of its own");
@@ -101,6 +124,8 @@ Delivered read_delivered(const std::filesystem::path& file) {
   for (const JsonField& field : agreement.at("tasks").elements())
     delivered.tasks.push_back(read_task(field));
   std::ranges::stable_sort(delivered.tasks, {}, &TaskRow::task);
+  if (const auto left = agreement.find("no_bidders"))
+    for (const JsonField& field : left->elements()) delivered.left.push_back(read_left(field));
   const JsonField route = document.at("route");
   delivered.length_m = route.at("length_m").number();
   delivered.time_s = route.at("time_s").number();

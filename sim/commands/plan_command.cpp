@@ -87,6 +87,8 @@ json result_of(const WorldResult& world, const CheckReport& report,
           {"processes", json::array()},
           {"faults", json::array()},
           {"problems", report.problems},
+          {"no_bidders", json(no_bidders_json(report))},
+          {"left_m", report.left_m()},
           {"warnings", warnings}};
 }
 
@@ -188,9 +190,10 @@ Exit PlanCommand::run() const {
   for (const Violation& violation : world.violations)
     fmt::print("problem: the auction: {}: {}\n", violation.checker, violation.what);
   for (const std::string& problem : report.problems) fmt::print("problem: {}\n", problem);
+  for (const LeftUndone& left : report.left) fmt::print("left undone: {}\n", left.text);
   fmt::print("{}{}{:<20}{}\n", figures(report), certificate::table(certified), "plan",
              out.string());
-  return world.agreed && world.violations.empty() && report.ok() && certified.keeps_clear()
+  return world.agreed && world.violations.empty() && report.all_done() && certified.keeps_clear()
              ? Exit::done
              : Exit::check_failed;
 }

@@ -354,11 +354,13 @@ class Run {
     if (outcome)
       for (const std::string& problem : report.problems) fmt::print("problem: {}\n", problem);
     if (outcome)
+      for (const LeftUndone& left : report.left) fmt::print("left undone: {}\n", left.text);
+    if (outcome)
       fmt::print("{}", result_table(result));
     else
       console_.line(now_s(), "no result: the agents did not agree");
     fmt::print("{:<20}{}\n", "run directory", options_.out.string());
-    return outcome && report.ok() && !interrupted_ ? Exit::done : Exit::check_failed;
+    return outcome && report.all_done() && !interrupted_ ? Exit::done : Exit::check_failed;
   }
 
   const LaunchOptions& options_;

@@ -31,6 +31,10 @@ std::string links_line(const json& links, const std::string& tier) {
       sent, tier, dropped, 100 * share, delayed, duplicated, worst_link, 100 * worst);
 }
 
+std::string stretches(std::size_t count) {
+  return count == 1 ? "1 stretch" : fmt::format("{} stretches", count);
+}
+
 }  // namespace
 
 json result_json(const CheckReport& report, const Monitor& monitor,
@@ -62,6 +66,8 @@ json result_json(const CheckReport& report, const Monitor& monitor,
              {"bytes", traffic.bytes}}},
            {"run_s", run_s},
            {"problems", report.problems},
+           {"no_bidders", json(no_bidders_json(report))},
+           {"left_m", report.left_m()},
            {"warnings", monitor.warnings()}};
   out["per_agent"] = json::array();
   for (const AgentFigures& figures : report.per_agent)
@@ -100,6 +106,9 @@ std::string result_table(const json& r) {
   };
   text += '\n';
   row("makespan", fmt::format("{:.1f} s", r["makespan_s"].get<double>()));
+  if (!r["no_bidders"].empty())
+    row("left undone", fmt::format("{} without a bidder, {:.1f} m",
+                                   stretches(r["no_bidders"].size()), r["left_m"].get<double>()));
   row("total length", fmt::format("{:.1f} m", r["total_length_m"].get<double>()));
   row("uniformity E",
       fmt::format("{:.4f} on tasks, {:.4g} on flight time", r["uniformity"]["count"].get<double>(),

@@ -67,6 +67,28 @@ std::vector<Arc> make_arcs(std::uint32_t tasks, double piece_m, Layout layout, P
   return arcs;
 }
 
+Payload any_payload(Dice& dice) {
+  return static_cast<Payload>(dice.between(0, payload_names.size() - 1));
+}
+
+/// With dice of its own, so that what else a seed stands for does not change. On a grid tours often
+/// take just as long as a UAV lasts.
+void limit_fleet(const WorldSettings& settings, std::uint64_t seed, Layout layout,
+                 Mission& mission) {
+  constexpr std::uint64_t other_dice = 0x11d175;
+  Dice dice(seed ^ other_dice);
+  if (dice.chance(settings.endurance))
+    for (Uav& uav : mission.fleet) {
+      if (dice.chance(0.2)) continue;
+      const double range_m = dice.within(60, 600);
+      const double even_m = layout == Layout::grid ? grid_m * std::ceil(range_m / grid_m) : range_m;
+      uav.endurance_s = even_m / uav.speed_mps;
+    }
+  if (!dice.chance(settings.payloads)) return;
+  for (Uav& uav : mission.fleet) uav.payload = any_payload(dice);
+  for (Arc& arc : mission.arcs) arc.payload = any_payload(dice);
+}
+
 }  // namespace
 
 Mission make_mission(const WorldSettings& settings, std::uint64_t seed, Dice& dice) {
@@ -101,6 +123,7 @@ Mission make_mission(const WorldSettings& settings, std::uint64_t seed, Dice& di
   // One choice is no chance: worlds of settings that name none stay what they were.
   auction.trades =
       settings.trades.size() == 1 ? settings.trades[0] : any_of_these(settings.trades, dice);
+  limit_fleet(settings, seed, layout, mission);
   return mission;
 }
 

@@ -71,6 +71,8 @@ struct WorldSettings {
   std::vector<Layout> layouts{Layout::scattered};
   std::vector<TradesKind> trades{TradesKind::off};
   double bundle_limit = 0;  ///< odds of a limit L_t
+  double endurance = 0;     ///< odds of UAVs with limited endurance, each its own
+  double payloads = 0;      ///< odds of UAVs and arcs with different payloads
   TimeNs tick_ns = 20'000'000;
   Range<TimeNs> lease_ns{400'000'000, 2'000'000'000};
   Range<TimeNs> latency_ns{1'000'000, 5'000'000};  ///< of every message, whatever goes wrong

@@ -35,7 +35,7 @@ World::World(const WorldSpec& spec, const Trace& trace, WorldObserver* observer)
       network_(spec),
       script_(script_of(spec)),
       has_clock_fault_(spec.mission.fleet.size(), false),
-      checkers_(spec.mission, pieces_.size()),
+      checkers_(spec.mission, pieces_, *transit_),
       exchange_checker_(spec.mission, pieces_, *transit_, checkers_.findings),
       calm_ns_(arcbid::calm_ns(spec)),
       last_turn_ns_(arcbid::last_turn_ns(spec.faults)) {

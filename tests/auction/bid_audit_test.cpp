@@ -134,6 +134,39 @@ TEST_P(Audit, SaysTheSameWhateverItWasAskedBefore) {
   }
 }
 
+TEST_P(Audit, RefusesBidsForWhatTheBidderCannotFly) {
+  Mission mission = random_mission(3, 2, 4);
+  mission.auction.score = GetParam();
+  mission.arcs[1].payload = Payload::camera;
+  mission.fleet[0].payload = Payload::lidar;
+  mission.fleet[1].endurance_s = 10;
+  const TaskSet set = split(mission.arcs, 1000.0, 1000);
+  const StraightTransit transit;
+  BidAudit audit(set, mission.fleet, mission.auction, transit);
+  const auto claims = [&](std::uint32_t agent, std::uint32_t task, double bid) {
+    return audit.refusal({{agent}, {9, false, 1}, Claims{{{{task}, bid}}}});
+  };
+  const auto table = [&](std::uint32_t agent, std::uint32_t task, double bid) {
+    Table said{std::vector<Belief>(4), std::vector<std::uint64_t>(2)};
+    said.beliefs[task] = {AgentId{agent}, bid};
+    return audit.refusal({{1}, {9, false, 1}, said});
+  };
+  for (const double bid : {1e9, 1.0, -1e9, unflyable}) {
+    for (const auto& reason : {claims(1, 1, bid), table(1, 1, bid)}) {
+      ASSERT_TRUE(reason) << bid;
+      EXPECT_THAT(*reason, HasSubstr("agent 1 bids for task 1, for which it has not the payload"));
+    }
+    for (const auto& reason : {claims(2, 0, bid), table(2, 0, bid)}) {
+      ASSERT_TRUE(reason) << bid;
+      EXPECT_THAT(*reason, HasSubstr("agent 2 bids for task 0"));
+    }
+  }
+  const double true_bid =
+      make_score(set, mission.fleet[0], mission.auction, transit)->best({0}).gain;
+  EXPECT_EQ(claims(1, 0, true_bid), std::nullopt);
+  EXPECT_EQ(table(1, 0, true_bid), std::nullopt);
+}
+
 TEST_P(Audit, OfATableAllowsWhatTheWinnerCanBidAndNoMore) {
   Audited one(4, GetParam(), PolicyKind::cbba);
   const auto tasks = static_cast<std::uint32_t>(one.set.tasks.size());

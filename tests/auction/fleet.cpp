@@ -159,6 +159,7 @@ Offer best_offer(const Uav& uav, const TaskSet& set, const std::vector<PathStop>
       std::vector<PathStop> longer = path;
       longer.insert(longer.begin() + static_cast<std::ptrdiff_t>(l), {j, reversed});
       const double score = -tour_s(uav, set, longer);
+      if (uav.endurance_s && -score > *uav.endurance_s) continue;
       if (score > best.score + 1e-9) best = {score, longer};
     }
   return best;
@@ -177,11 +178,12 @@ std::vector<Belief> sequential_greedy(const Mission& mission, const TaskSet& set
     for (const Uav& uav : mission.fleet) {
       if (std::find(agents.begin(), agents.end(), uav.id) == agents.end()) continue;
       for (const Task& task : set.tasks) {
-        if (winners[task.id.value].winner) continue;
+        if (winners[task.id.value].winner || !serves(uav.payload, task.payload)) continue;
         const Offer offer = best_offer(uav, set, paths[uav.id], task.id);
         if (offer.score > best.score + 1e-9) best = offer, who = uav.id, what = task.id;
       }
     }
+    if (best.path.empty()) break;  // nobody can fly any more
     winners[what.value] = {who, best.score};
     paths[who] = best.path;
   }

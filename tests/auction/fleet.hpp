@@ -86,7 +86,7 @@ class Fleet {
 };
 
 /// The oracle: the sequential greedy allocation of `agents`, by plain search without caches. For
-/// every task its winner and bid.
+/// every task its winner and bid; none for what nobody has the payload or the endurance for.
 std::vector<Belief> sequential_greedy(const Mission& mission, const TaskSet& set,
                                       const std::vector<AgentId>& agents);
 

@@ -74,7 +74,7 @@ structure:
     piers: 5, pier_width_m: 2.5, girders: 6, girder_depth_m: 1.25, tower_height_m: 31}
 coverage: {spacing_m: 3, standoff_m: 4.5, safety_m: 2.5, ground_clearance_m: 1, rows: long_side,
   seed: 9, ground_m: -0.5}
-fleet: {agents: 7, speed_mps: 2}
+fleet: {agents: 7, speed_mps: 2, endurance_s: 900, payload: camera}
 auction: {policy: cbba, score: discounted-insert-warped, discount_per_s: 0.5, split_m: 12, max_tasks: 50,
   bundle_limit: 8, audit_bids: false, tick_ms: 12.5, lease_ms: 3000, barrier_ms: 4000}
 tour: {solver: crsom, seed: 11, epochs: 12, iterations: 13}
@@ -107,6 +107,8 @@ timeout_s: 60
   EXPECT_EQ(c.coverage.ground_m, -0.5);
   EXPECT_EQ(c.fleet.agents, 7u);
   EXPECT_EQ(c.fleet.speed_mps, 2);
+  EXPECT_EQ(c.fleet.endurance_s, 900);
+  EXPECT_EQ(c.fleet.payload, Payload::camera);
   EXPECT_EQ(c.auction.policy, PolicyKind::cbba);
   EXPECT_EQ(c.auction.score, ScoreKind::discounted_insert_warped);
   EXPECT_EQ(c.auction.discount_per_s, 0.5);
@@ -143,6 +145,26 @@ TEST(Config, UavsAreSortedCountedAndFlyAtTheFleetsSpeed) {
   EXPECT_EQ(c.fleet.uavs[0].speed_mps, 3);
   EXPECT_EQ(c.fleet.uavs[1].id, AgentId{7});
   EXPECT_EQ(c.fleet.uavs[1].speed_mps, 2);
+}
+
+TEST(Config, UavsHaveTheFleetsLimitsUnlessTheyStateTheirOwn) {
+  const Config c = parse_config(
+      "fleet:\n"
+      "  uavs:\n"
+      "  - {id: 1, home_m: [0, 0, 0]}\n"
+      "  - {id: 2, home_m: [0, 0, 0], endurance_s: unlimited, payload: any}\n"
+      "  - {id: 3, home_m: [0, 0, 0], endurance_s: 20.5, payload: camera}\n"
+      "  endurance_s: 900\n"
+      "  payload: lidar\n",
+      "c.yaml");
+  EXPECT_EQ(c.fleet.uavs[0].endurance_s, 900);
+  EXPECT_EQ(c.fleet.uavs[0].payload, Payload::lidar);
+  EXPECT_EQ(c.fleet.uavs[1].endurance_s, std::nullopt);
+  EXPECT_EQ(c.fleet.uavs[1].payload, Payload::any);
+  EXPECT_EQ(c.fleet.uavs[2].endurance_s, 20.5);
+  EXPECT_EQ(c.fleet.uavs[2].payload, Payload::camera);
+  EXPECT_EQ(parse_config("fleet: {endurance_s: unlimited}", "c.yaml").fleet.endurance_s,
+            std::nullopt);
 }
 
 TEST(Config, AFileIsFoundFromTheConfigsFolder) {

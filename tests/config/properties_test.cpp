@@ -31,12 +31,21 @@ std::string title() {
   return *rc::gen::arbitrary<bool>() ? text : text + "\xc3\xbc";
 }
 
+std::optional<double> endurance_s() {
+  return *rc::gen::arbitrary<bool>() ? std::optional(number(1, 1e6)) : std::nullopt;
+}
+
+Payload payload() {
+  return *rc::gen::element(Payload::any, Payload::lidar, Payload::camera);
+}
+
 std::vector<Uav> uavs() {
   std::vector<Uav> fleet;
   std::uint32_t id = 0;
   for (int i = *rc::gen::inRange(0, 6); i > 0; --i)
     fleet.push_back({AgentId{id += *rc::gen::inRange(1u, 900u)},
-                     Vec3(number(-1e6, 1e6), number(-1, 1), number(0, 100)), number(0.1, 30)});
+                     Vec3(number(-1e6, 1e6), number(-1, 1), number(0, 100)), number(0.1, 30),
+                     endurance_s(), payload()});
   return fleet;
 }
 
@@ -68,7 +77,12 @@ Config legal_config() {
   if (*rc::gen::arbitrary<bool>()) c.coverage.ground_m = number(-1e5, 1e5);
   c.coverage.rows = *rc::gen::element(RowSide::short_side, RowSide::long_side);
   c.coverage.seed = *rc::gen::arbitrary<std::uint32_t>();
-  c.fleet = {*rc::gen::inRange(1u, 65u), *rc::gen::inRange(1u, 65u), number(0.1, 30), uavs()};
+  c.fleet = {*rc::gen::inRange(1u, 65u),
+             *rc::gen::inRange(1u, 65u),
+             number(0.1, 30),
+             endurance_s(),
+             payload(),
+             uavs()};
   if (!c.fleet.uavs.empty()) c.fleet.agents = static_cast<std::uint32_t>(c.fleet.uavs.size());
   c.auction.policy =
       *rc::gen::element(PolicyKind::claims, PolicyKind::claims_keep, PolicyKind::cbba,

@@ -18,6 +18,14 @@ TEST(PlaceFleet, SpreadsUavsAlongTheLongerSideOnTheGround) {
   }
 }
 
+TEST(PlaceFleet, GivesEveryUavTheFleetsLimits) {
+  const FleetConfig fleet{.agents = 2, .endurance_s = 900, .payload = Payload::camera, .uavs = {}};
+  for (const Uav& uav : place_fleet(fleet, {-10, -40, 1}, {10, 40, 30}, 8)) {
+    EXPECT_EQ(uav.endurance_s, 900);
+    EXPECT_EQ(uav.payload, Payload::camera);
+  }
+}
+
 TEST(PlaceFleet, KeepsHomesThatWereGiven) {
   const FleetConfig fleet{
       .agents = 2, .speed_mps = 1, .uavs = {{{7}, {1, 2, 3}, 4}, {{3}, {5, 6, 7}, 8}}};
@@ -31,6 +39,34 @@ TEST(PlanMission, IsTheSameBitForBitWhenMadeAgain) {
   const Config config;
   EXPECT_EQ(digest(plan_mission(config, 5).mission), digest(plan_mission(config, 5).mission));
   EXPECT_NE(digest(plan_mission(config, 5).mission), digest(plan_mission(config, 6).mission));
+}
+
+TEST(PlanMission, AsksForThePayloadOfItsSensor) {
+  Config config;
+  for (const Arc& arc : plan_mission(config, 1).mission.arcs)
+    EXPECT_EQ(arc.payload, Payload::lidar);
+  config.coverage.sensor = camera_preset();
+  for (const Arc& arc : plan_mission(config, 1).mission.arcs)
+    EXPECT_EQ(arc.payload, Payload::camera);
+}
+
+std::size_t warnings_of(const Config& config, const std::string& text) {
+  std::size_t count = 0;
+  for (const std::string& line : plan_mission(config, 1).warnings)
+    count += line.find(text) != std::string::npos;
+  return count;
+}
+
+TEST(PlanMission, SaysWhatNobodyCouldFlyAlone) {
+  Config config;
+  EXPECT_EQ(warnings_of(config, "no bidder"), 0u);
+  config.fleet.endurance_s = 10000;
+  EXPECT_EQ(warnings_of(config, "no bidder"), 0u);
+  config.fleet.endurance_s = 20;
+  EXPECT_GT(warnings_of(config, "s, best endurance 20.0 s (agent "), 0u);
+  config.fleet.payload = Payload::camera;
+  const std::size_t arcs = plan_mission(config, 1).mission.arcs.size();
+  EXPECT_EQ(warnings_of(config, "no bidder: needs a lidar, nobody carries one"), arcs);
 }
 
 TEST(PlanMission, PublishesWhatIsInTheWay) {

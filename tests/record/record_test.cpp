@@ -26,6 +26,8 @@ Step full_step() {
   const Table table{{{AgentId{0}, 1.5}, {std::nullopt, 0}}, {7, ~std::uint64_t{0}}};
   const StatementKey key{99, true, 3};
   step.event = {-5, RelayMessage{header(3), {{2}, key, table}}};
+  const NoBidder left{{3},  1.5, 2.5, NoBidderReason::endurance, Payload::camera, AgentId{2},
+                      7.25, 6.5, 5};
   Update& u = step.update;
   u.bids = {{header(1), {{1}, key, claims}}};
   u.relays = {{header(1), {{2}, key, table}}};
@@ -41,7 +43,7 @@ Step full_step() {
   u.returned = {{5}};
   u.decision = DecisionMade{3, true, key, claims, {{{4}, true}, {{2}, false}}};
   u.started = u.agreement_lost = true;
-  u.agreed = Agreement{8, 9, {{1}}, {{AgentId{1}, -0.0}}, {{{4}, true}}};
+  u.agreed = Agreement{8, 9, {{1}}, {{AgentId{1}, -0.0}}, {{{4}, true}}, {left}};
   u.wake_ns = std::numeric_limits<TimeNs>::min();
   return step;
 }

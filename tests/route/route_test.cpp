@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <map>
 
+#include "core/auction/policy.hpp"
+
 namespace arcbid {
 namespace {
 
@@ -52,6 +54,31 @@ TEST(Route, IsWholeFromHomeToHome) {
   EXPECT_EQ(at, mission.fleet[0].home_m);
   EXPECT_NEAR(metres, route.length_m, 1e-9);
   EXPECT_DOUBLE_EQ(route.time_s, route.length_m / 2.0);
+}
+
+/// What was bid for within an endurance is flown within it: the order of the auction is one that
+/// the tour begins with.
+TEST(Route, LastsNoLongerThanTheEnduranceThatWasBidWith) {
+  const StraightTransit transit;
+  std::size_t flown = 0;
+  for (double endurance_s = 40; endurance_s < 400; endurance_s += 7) {
+    Mission mission = mission_of(9);
+    mission.tour.iterations = 100;
+    mission.fleet[0].endurance_s = endurance_s;
+    const TaskSet tasks = split(mission.arcs, mission.auction.split_m, 1000);
+    for (const ScoreKind score :
+         {ScoreKind::minimax, ScoreKind::minimax_long_first, ScoreKind::minisum,
+          ScoreKind::independent, ScoreKind::discounted_append,
+          ScoreKind::discounted_insert_warped}) {
+      mission.auction.score = score;
+      Bundle bundle = make_bundle(tasks, mission.fleet[0], mission.auction, transit);
+      bundle.rebuild(std::vector<Belief>(tasks.tasks.size()));
+      const Route route = plan_route(mission, tasks, bundle.path(), mission.fleet[0], transit);
+      EXPECT_LE(route.time_s, endurance_s * (1 + 1e-9)) << name_of(score);
+      flown += bundle.path().size();
+    }
+  }
+  EXPECT_GT(flown, 1000u);
 }
 
 TEST(Route, FliesWhatWasWonAndNothingElse) {

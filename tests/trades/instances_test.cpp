@@ -82,6 +82,33 @@ TEST(Instances, AreRefusedByWhatIsWrongInThem) {
       refusal(agents + R"([[[0,0,0],[0,"x",0]]]})").find(R"(arcs[0][1]: "x" is not a number)"),
       std::string::npos);
   EXPECT_EQ(refusal(agents + "[[[0,0,0],[1,0,0]]]}"), "none");
+  EXPECT_NE(refusal(R"({"agents": [{"home": [0,0,0], "endurance_s": -1}], )" + arcs + "}")
+                .find("agents[0].endurance_s: -1 is not above 0"),
+            std::string::npos);
+  EXPECT_NE(refusal(agents + R"([{"points": [[0,0,0],[1,0,0]], "payload": "nose"}]})")
+                .find(R"(arcs[0].payload: "nose" is not one of any, lidar, camera)"),
+            std::string::npos);
+}
+
+TEST(Instances, MayHaveLimitsAndSayWhatIsLeft) {
+  const fs::path file = fs::path(testing::TempDir()) / "limits.json";
+  std::ofstream(file) << R"({
+    "agents": [{"home": [0,0,0], "endurance_s": 41, "payload": "lidar"},
+               {"home": [0,0,0], "speed_mps": 2, "endurance_s": 20}],
+    "arcs": [[[10,0,0],[20,0,0]], {"points": [[10,0,0],[10,10,0]], "payload": "camera"},
+             [[0,50,0],[0,60,0]]]})";
+  Mission mission = read_arc_instance(file);
+  mission.auction.split_m = 1e9;
+  const FleetRun run = run_fleet(mission, Graph::complete, TradesKind::off);
+  EXPECT_EQ(run.unassigned, 1u);
+  ASSERT_EQ(run.left.size(), 1u);
+  EXPECT_EQ(to_text(run.left[0]),
+            "arc 2, 0.0 to 10.0 m: no bidder: needs 60.0 s, best endurance "
+            "20.0 s (agent 2)");
+  EXPECT_NE(to_json(run).find(R"("no_bidders":["arc 2, )"), std::string::npos);
+  EXPECT_LE(run.times_s[0], 41);
+  EXPECT_EQ(run.routes[1].size(), 1u);
+  EXPECT_EQ(run.routes[1][0].arc, 1u) << "only agent 2 has a camera";
 }
 
 }  // namespace

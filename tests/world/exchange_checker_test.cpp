@@ -37,7 +37,7 @@ class ExchangeCheckerTest : public ::testing::Test {
   std::vector<Stretch> pieces;
   StraightTransit transit;
   Findings findings;
-  Agreement proof{77, 1, {{1}, {2}}, {}, {}};
+  Agreement proof{77, 1, {{1}, {2}}, {}, {}, {}};
   ExchangeChecker checker{mission, pieces, transit, findings};
 };
 

@@ -2,6 +2,7 @@
 // Whole worlds: what is shipped as configs/sim.yaml, and what the other policies do not survive.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <thread>
 
 #include "sim/world/batch.hpp"
@@ -29,6 +30,22 @@ TEST(Worlds, TwoThousandOfEveryKindPass) {
     return ++worlds < 2000;
   });
   EXPECT_EQ(worlds, 2000u);
+}
+
+/// And most of them leave something, each stretch of it with a reason that the checkers accept.
+TEST(Worlds, LimitedFleetsNeverFlyWhatTheyCannotAndLeaveNothingWithoutAReason) {
+  WorldSettings settings = load_worlds(configs / "sim_limits.yaml");
+  settings.price = false;
+  std::uint64_t worlds = 0, with_some_left = 0, whole = 0;
+  run_batch(worlds_of(settings), 1, 2000, 2, [&](const PricedResult& result) {
+    EXPECT_TRUE(result.world.agreed && result.world.violations.empty()) << text(result.world);
+    const auto is_free = [](const Belief& belief) { return !belief.winner; };
+    (std::ranges::any_of(result.world.winners, is_free) ? with_some_left : whole) += 1;
+    return ++worlds < 2000;
+  });
+  EXPECT_EQ(worlds, 2000u);
+  EXPECT_GT(with_some_left, 500u);
+  EXPECT_GT(whole, 200u);
 }
 
 TEST(Worlds, RepeatBitForBitWhateverTheNumberOfThreads) {

@@ -6,54 +6,6 @@
 namespace arcbid::yaml {
 namespace {
 
-Kind<AgentId> agent_id() {
-  const Kind<std::uint32_t> plain = number<std::uint32_t>(1, 65535);
-  return {
-      plain.legal,
-      [=](const Place& place, AgentId& id, Report& report) { plain.read(place, id.value, report); },
-      [=](const AgentId& id) { return plain.print(id.value); }};
-}
-
-Uav read_uav(const YAML::Node& node, const std::string& path, Report& report) {
-  Uav uav;
-  if (node.IsMap())
-    read_mapping({node, node.Mark(), path}, uav_keys(), uav, report);
-  else
-    report.problem(node.Mark(), path, "is not a mapping such as {id: 1, home_m: [0, 0, 0]}");
-  return uav;
-}
-
-std::string print_uav(const Uav& uav) {
-  std::string line;
-  for (const Key<Uav>& k : uav_keys())
-    line += fmt::format("{}{}: {}", line.empty() ? "" : ", ", k.name, k.print(uav));
-  return "{" + line + "}";
-}
-
-Kind<std::vector<Uav>> uav_list() {
-  const std::string legal = fmt::format("a list of up to {} UAVs", most_agents);
-  return {
-      legal,
-      [=](const Place& place, std::vector<Uav>& uavs, Report& report) {
-        if (!place.node.IsSequence()) {
-          if (is_scalar(place, legal, report))
-            report.problem(place.at, place.path,
-                           fmt::format("{} is not {}", shown(place.node), legal));
-        } else if (place.node.size() > most_agents) {
-          report.problem(place.at, place.path,
-                         fmt::format("a list of {} is not {}", place.node.size(), legal));
-        } else {
-          for (std::size_t i = 0; i < place.node.size(); ++i)
-            uavs.push_back(read_uav(place.node[i], fmt::format("{}[{}]", place.path, i), report));
-        }
-      },
-      [](const std::vector<Uav>& uavs) {
-        std::string lines;
-        for (const Uav& uav : uavs) lines += "\n    - " + print_uav(uav);
-        return uavs.empty() ? "[]" : lines;
-      }};
-}
-
 Keys<ParametricBridge> parametric_keys() {
   using P = ParametricBridge;
   return {
@@ -130,21 +82,6 @@ Keys<CoverageSettings> coverage_keys() {
   };
   add_section(keys, "sensor", &C::sensor, sensor_keys());
   return keys;
-}
-
-Keys<FleetConfig> fleet_keys() {
-  using F = FleetConfig;
-  return {
-      key("agents", &F::agents, number<std::uint32_t>(1, most_agents),
-          "Number of UAVs, placed in a row on the ground beside the structure."),
-      key("agents_per_process", &F::agents_per_process, number<std::uint32_t>(1, most_agents),
-          "How many UAVs share a process when one launcher starts all: more than 1 where a machine "
-          "cannot carry a process for each (64 on two cores: 8)."),
-      key("speed_mps", &F::speed_mps, number<double>(0.1, 30),
-          "Speed of every UAV that does not state its own."),
-      key("uavs", &F::uavs, uav_list(),
-          "UAVs with their homes, in place of `fleet.agents`. Empty: the row."),
-  };
 }
 
 Keys<AuctionSettings> auction_keys() {
@@ -240,15 +177,6 @@ Keys<Config> all_keys() {
 
 const Keys<Config>& config_keys() {
   static const Keys<Config> keys = all_keys();
-  return keys;
-}
-
-const Keys<Uav>& uav_keys() {
-  static const Keys<Uav> keys = {
-      required(key("id", &Uav::id, agent_id(), "Names the UAV; distinct.")),
-      required(key("home_m", &Uav::home_m, position(1e6), "Where it starts and ends.")),
-      key("speed_mps", &Uav::speed_mps, number<double>(0.1, 30), "Its speed."),
-  };
   return keys;
 }
 

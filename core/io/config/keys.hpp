@@ -30,6 +30,9 @@ const std::vector<Key<Config>>& config_keys();
 /// The keys of an entry of fleet.uavs.
 const std::vector<Key<Uav>>& uav_keys();
 
+/// The keys of a fleet.
+std::vector<Key<FleetConfig>> fleet_keys();
+
 /// The keys of a sensor; its kind chooses a preset, which the other keys change.
 std::vector<Key<Sensor>> sensor_keys();
 

@@ -102,14 +102,20 @@ YAML::Node parse_yaml(const std::string& text, const std::string& file) {
   return root;
 }
 
-/// What a value means depends on others: where files are, what a UAV's own speed is by default.
+/// What a value means depends on others: where files are, what a UAV has by default.
 void resolve(Config& config, const std::filesystem::path& folder, const yaml::Report& report) {
   FleetConfig& fleet = config.fleet;
   if (std::optional<std::filesystem::path>& file = config.structure.file)
     file = std::filesystem::absolute(folder / *file).lexically_normal();
-  for (std::size_t i = 0; i < fleet.uavs.size(); ++i)
-    if (!report.has(fmt::format("fleet.uavs[{}].speed_mps", i)))
-      fleet.uavs[i].speed_mps = fleet.speed_mps;
+  for (std::size_t i = 0; i < fleet.uavs.size(); ++i) {
+    const auto is_given = [&](const char* key) {
+      return report.has(fmt::format("fleet.uavs[{}].{}", i, key));
+    };
+    Uav& uav = fleet.uavs[i];
+    if (!is_given("speed_mps")) uav.speed_mps = fleet.speed_mps;
+    if (!is_given("endurance_s")) uav.endurance_s = fleet.endurance_s;
+    if (!is_given("payload")) uav.payload = fleet.payload;
+  }
   if (!fleet.uavs.empty() && !report.has("fleet.agents"))
     fleet.agents = static_cast<std::uint32_t>(fleet.uavs.size());
 }

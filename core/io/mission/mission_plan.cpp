@@ -8,10 +8,12 @@
 #include <utility>
 
 #include "core/airspace/surroundings.hpp"
+#include "core/auction/no_bidders.hpp"
 #include "core/auction/task_set.hpp"
 #include "core/base/error.hpp"
 #include "core/coverage/coverage_arcs.hpp"
 #include "core/io/structure_reader.hpp"
+#include "core/route/make_transit.hpp"
 
 namespace arcbid {
 namespace {
@@ -101,6 +103,24 @@ void lift_homes(std::vector<Uav>& fleet, const Surroundings& surroundings,
     }
 }
 
+/// What no UAV can fly though nothing else were to be flown: told before anybody bids. The legs of
+/// a mission take a while to work out, and without limits nobody asks for them.
+std::vector<std::string> beyond_everybody(const Mission& mission) {
+  const auto has_limits = [](const Uav& uav) {
+    return uav.endurance_s || uav.payload != Payload::any;
+  };
+  if (std::ranges::none_of(mission.fleet, has_limits)) return {};
+  std::vector<Winnings> fleet;
+  for (const Uav& uav : mission.fleet) fleet.push_back({.uav = uav, .taken = {}, .path = {}});
+  AuctionSettings settings = mission.auction;
+  settings.bundle_limit = 0;
+  const TaskSet set = split(mission.arcs, settings.split_m, settings.max_tasks);
+  std::vector<std::string> lines;
+  for (const NoBidder& left : no_bidders(fleet, set, settings, *make_transit(mission)))
+    if (left.why != NoBidderReason::endurance_left) lines.push_back(to_text(left));
+  return lines;
+}
+
 /// The model of what is in the way, arcs that nobody could reach left out.
 Airspace airspace_of(const Surroundings& surroundings, const Config& config, ArcPlan& arcs) {
   Airspace airspace = surroundings.airspace(arcs.arcs, arcs.warnings);
@@ -127,7 +147,7 @@ std::vector<Uav> place_fleet(const FleetConfig& fleet, const Vec3& low_m, const 
     Vec3 home = low_m;
     home[along] += (i + 0.5) / fleet.agents * size_m[along];
     home[across] -= clear_m;
-    uavs.push_back({{i + 1}, home, fleet.speed_mps});
+    uavs.push_back({{i + 1}, home, fleet.speed_mps, fleet.endurance_s, fleet.payload});
   }
   return uavs;
 }
@@ -151,10 +171,13 @@ MissionPlan plan_mission(const Config& config, std::uint64_t id) {
       .airspace = std::move(airspace),
       .auction = config.auction,
       .tour = config.tour};
+  const bool is_camera = config.coverage.sensor.kind == SensorKind::camera;
+  for (Arc& arc : plan.mission.arcs) arc.payload = is_camera ? Payload::camera : Payload::lidar;
   if (config.fleet.uavs.empty())
     lift_homes(plan.mission.fleet, surroundings, plan.mission.airspace);
   require_clear_homes(config, plan.mission.fleet, surroundings, plan.mission.airspace);
   require_room(plan.mission);
+  append(plan.warnings, beyond_everybody(plan.mission));
   return plan;
 }
 

@@ -28,6 +28,7 @@ constexpr std::uint8_t most_of() {
   if constexpr (std::same_as<T, ScoreKind>) return score_names.size() - 1;
   if constexpr (std::same_as<T, TradesKind>) return trades_names.size() - 1;
   if constexpr (std::same_as<T, Payload>) return payload_names.size() - 1;
+  if constexpr (std::same_as<T, NoBidderReason>) return no_bidder_reason_names.size() - 1;
   if constexpr (std::same_as<T, TourSolver>) return tour_solver_names.size() - 1;
 }
 

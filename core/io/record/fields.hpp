@@ -112,12 +112,24 @@ ARCBID_RECORD(DecisionMade) {
   v.choice(body_kinds, s.body);
   v("path", s.path);
 }
+ARCBID_RECORD(NoBidder) {
+  v("arc", s.arc);
+  v("from_m", s.from_m);
+  v("to_m", s.to_m);
+  v("why", s.why);
+  v("needs", s.needs);
+  v("nearest", s.nearest);
+  v("needed_s", s.needed_s);
+  v("endurance_s", s.endurance_s);
+  v("limit", s.limit);
+}
 ARCBID_RECORD(Agreement) {
   v("view_hash", s.view_hash);
   v("round", s.round);
   v("members", s.members);
   v("winners", s.winners);
   v("path", s.path);
+  v("left", s.left);
 }
 ARCBID_RECORD(Update) {
   v("bids", s.bids);

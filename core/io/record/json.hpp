@@ -38,7 +38,7 @@ class JsonWriter {
       return value;
     else if constexpr (std::same_as<T, PolicyKind> || std::same_as<T, ScoreKind> ||
                        std::same_as<T, TourSolver> || std::same_as<T, TradesKind> ||
-                       std::same_as<T, Payload>)
+                       std::same_as<T, Payload> || std::same_as<T, NoBidderReason>)
       return name_of(value);
     else if constexpr (std::same_as<T, ArcKind>)
       return name(value);

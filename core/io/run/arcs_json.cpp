@@ -20,7 +20,9 @@ json fleet_json(const Mission& mission) {
   for (const Uav& uav : mission.fleet)
     out.push_back({{"agent", uav.id.value},
                    {"home_m", {uav.home_m.x(), uav.home_m.y(), uav.home_m.z()}},
-                   {"speed_mps", uav.speed_mps}});
+                   {"speed_mps", uav.speed_mps},
+                   {"endurance_s", uav.endurance_s ? json(*uav.endurance_s) : json(nullptr)},
+                   {"payload", name_of(uav.payload)}});
   return out;
 }
 
@@ -32,8 +34,25 @@ json arcs_json(const Mission& mission) {
     out.push_back({{"arc", arc.id.value},
                    {"kind", name(arc.kind)},
                    {"length_m", length_m(arc.waypoints)},
+                   {"payload", name_of(arc.payload)},
                    {"waypoints", waypoints}});
   }
+  return out;
+}
+
+json no_bidders_json(const std::vector<NoBidder>& left) {
+  json out = json::array();
+  for (const NoBidder& one : left)
+    out.push_back({{"arc", one.arc.value},
+                   {"from_m", one.from_m},
+                   {"to_m", one.to_m},
+                   {"why", name_of(one.why)},
+                   {"needs", name_of(one.needs)},
+                   {"agent", one.nearest ? json(one.nearest->value) : json(nullptr)},
+                   {"needed_s", one.needed_s},
+                   {"endurance_s", one.endurance_s},
+                   {"limit", one.limit},
+                   {"text", to_text(one)}});
   return out;
 }
 

@@ -39,6 +39,7 @@ void write_arcs_file(const std::filesystem::path& run, const Mission& mission) {
   const json out{{"schema", 1},
                  {"mission", {{"id", hex(mission.id)}, {"name", mission.name}}},
                  {"frame", "local East-North-Up, metres"},
+                 {"transits", mission.airspace.empty() ? "straight" : "around obstacles"},
                  {"fleet", fleet_json(mission)},
                  {"arcs", arcs_json(mission)}};
   write_whole(run / "arcs.json", out.dump());
@@ -98,7 +99,8 @@ json agreement_of(const TaskSet& tasks, const Agreement& agreement,
           {"round", agreement.round},
           {"time_s", time_s},
           {"members", members},
-          {"tasks", list}};
+          {"tasks", list},
+          {"no_bidders", no_bidders_json(agreement.left)}};
 }
 
 json route_of(const Route& route) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sim/world/checkers/bundle.hpp"
+#include "sim/world/checkers/limits.hpp"
 #include "sim/world/checkers/proof.hpp"
 #include "sim/world/checkers/statements.hpp"
 
@@ -9,10 +10,12 @@ namespace arcbid {
 
 /// All that is checked after every step.
 struct Checkers {
-  Checkers(const Mission& mission, std::size_t tasks)
-      : statements(tasks, findings),
+  /// All must outlive the checkers.
+  Checkers(const Mission& mission, const std::vector<Stretch>& pieces, const Transit& transit)
+      : statements(pieces.size(), findings),
         bundle(mission, findings),
-        proof(mission, tasks, findings),
+        proof(mission, pieces.size(), findings),
+        limits(mission, pieces, transit, findings),
         stability(findings) {}
   Checkers(const Checkers&) = delete;
   Checkers& operator=(const Checkers&) = delete;
@@ -21,6 +24,7 @@ struct Checkers {
     statements.after(step);
     bundle.after(step);
     proof.after(step);
+    limits.after(step);
     stability.after(step);
   }
 
@@ -28,6 +32,7 @@ struct Checkers {
   StatementChecker statements;
   BundleChecker bundle;
   ProofChecker proof;
+  LimitsChecker limits;
   StabilityChecker stability;
 };
 

@@ -6,6 +6,8 @@
 #include <limits>
 #include <optional>
 
+#include "sim/world/checkers/limits.hpp"
+
 namespace arcbid {
 namespace {
 
@@ -21,17 +23,21 @@ class Worth {
  public:
   Worth(const Mission& mission, const std::vector<Stretch>& pieces, const Uav& uav,
         const Transit& transit)
-      : settings_(mission.auction), pieces_(pieces), uav_(uav), transit_(transit) {}
+      : settings_(mission.auction),
+        arcs_(mission.arcs),
+        pieces_(pieces),
+        uav_(uav),
+        transit_(transit) {}
 
   /// c_ij of a path that became `longer` by one task.
-  double gain(double before, const Path& longer, TaskId task) const {
+  double gain(double before, const Path& longer, TaskId task, bool reversed) const {
     switch (settings_.score) {
       case ScoreKind::minimax:
         return -closed_path_s(pieces_, uav_, longer, transit_);
       case ScoreKind::minimax_long_first:
         return 2 * length_m(task) / uav_.speed_mps - closed_path_s(pieces_, uav_, longer, transit_);
       case ScoreKind::independent:
-        return std::max(sum({{task, false}}), sum({{task, true}}));
+        return sum({{task, reversed}});
       default:
         return sum(longer) - before;
     }
@@ -59,16 +65,24 @@ class Worth {
            settings_.score == ScoreKind::minimax_long_first;
   }
 
+  bool carries_payload(TaskId task) const {
+    return carries(uav_, arcs_.at(pieces_.at(task.value).arc).payload);
+  }
+  bool can_last(const Path& path) const {
+    return !uav_.endurance_s || lasts(uav_, closed_path_s(pieces_, uav_, path, transit_));
+  }
+
   double best_gain(const Path& path, TaskId task) const {
     const bool at_end = settings_.score == ScoreKind::discounted_append ||
                         settings_.score == ScoreKind::independent;
     const double before = is_whole_tour() ? 0 : sum(path);
     double best = -infinity;
+    if (!carries_payload(task)) return best;
     for (std::size_t l = at_end ? path.size() : 0; l <= path.size(); ++l)
       for (const bool reversed : {false, true}) {
         Path longer = path;
         longer.insert(longer.begin() + static_cast<std::ptrdiff_t>(l), {task, reversed});
-        best = std::max(best, gain(before, longer, task));
+        if (can_last(longer)) best = std::max(best, gain(before, longer, task, reversed));
       }
     return best;
   }
@@ -80,6 +94,7 @@ class Worth {
   }
 
   const AuctionSettings& settings_;
+  const std::vector<Arc>& arcs_;
   const std::vector<Stretch>& pieces_;
   const Uav& uav_;
   const Transit& transit_;
@@ -115,16 +130,21 @@ class Progress {
     return taken_ == 0 ? gain : std::min(gain, bidder_.bundle[taken_ - 1].bid);
   }
 
-  /// Adds its next task where its path has it in the end; what that was worth.
+  /// Adds its next task where its path has it in the end; what that was worth, none of it if it
+  /// cannot be flown.
   double take() {
     const double before = path_.empty() ? 0 : worth_.sum(path_);
     const TaskId task = next().task;
     ++taken_;
     path_.clear();
-    for (const PathStop& stop : bidder_.path)
+    bool reversed = false;
+    for (const PathStop& stop : bidder_.path) {
       if (has_taken(stop.task)) path_.push_back(stop);
+      if (stop.task == task) reversed = stop.reversed;
+    }
     gains_.clear();
-    return worth_.gain(before, path_, task);
+    if (!worth_.carries_payload(task) || !worth_.can_last(path_)) return -infinity;
+    return worth_.gain(before, path_, task, reversed);
   }
 
  private:
@@ -188,6 +208,9 @@ void check_greedy(const Mission& mission, const std::vector<Stretch>& pieces,
     if (std::abs(bid_of_best - claim.bid) > limit) fail("not the bid", bid_of_best, claim.bid);
     is_free.at(claim.task.value) = false;
   }
+  for (Progress& one : all)
+    if (!one.full() && one.best_gain(is_free) > -infinity)
+      findings.add(now_ns, "greedy", "agent {} could fly more of what is left", one.agent().value);
 }
 
 }  // namespace arcbid

@@ -17,7 +17,8 @@ struct Bidder {
 /// Holds an outcome against the sequential greedy allocation of `bidders`: again and again
 /// everybody offers the free task of the highest marginal score at its (warped) bid, and the
 /// highest bid wins. The outcome's own steps are taken one by one and none may be worse than the
-/// best, recomputed here: ties within rounding pass, whichever way they went.
+/// best, recomputed here: ties within rounding pass, whichever way they went. Nobody offers what it
+/// cannot fly, and at the end nobody could fly more.
 void check_greedy(const Mission& mission, const std::vector<Stretch>& pieces,
                   const std::vector<Bidder>& bidders, const Transit& transit, TimeNs now_ns,
                   Findings& findings);

@@ -33,8 +33,11 @@ void ProofChecker::after(const SeenStep& step) {
   check_path(step, proof);
   check_statements(step, proof);
   const auto [at, is_first] =
-      proven_.try_emplace(proof.view_hash, Proven{proof.members, proof.winners});
-  if (!is_first && (at->second.members != proof.members || at->second.winners != proof.winners))
+      proven_.try_emplace(proof.view_hash, Proven{proof.members, proof.winners, proof.left});
+  const Proven& first = at->second;
+  const bool same =
+      first.members == proof.members && first.winners == proof.winners && first.left == proof.left;
+  if (!is_first && !same)
     findings_.add(step.now_ns, "proof", "agent {} proves {:016x} with another outcome",
                   step.agent.value, proof.view_hash);
 }
@@ -53,13 +56,9 @@ void ProofChecker::check_owners(const SeenStep& step, const Agreement& proof) co
     findings_.add(step.now_ns, "proof", "agent {} proves {} tasks, not {}", step.agent.value,
                   proof.winners.size(), tasks_);
   std::map<AgentId, std::size_t> loads;
-  std::size_t unowned = 0;
   for (std::size_t j = 0; j < proof.winners.size(); ++j) {
     const Belief& belief = proof.winners[j];
-    if (!belief.winner) {
-      ++unowned;
-      continue;
-    }
+    if (!belief.winner) continue;
     ++loads[*belief.winner];
     if (!contains(proof.members, *belief.winner))
       findings_.add(step.now_ns, "proof", "task {} is won by agent {}, who is no member", j,
@@ -68,9 +67,6 @@ void ProofChecker::check_owners(const SeenStep& step, const Agreement& proof) co
   for (const AgentId member : proof.members) {
     if (limit_ > 0 && loads[member] > limit_)
       findings_.add(step.now_ns, "proof", "agent {} wins more than {} tasks", member.value, limit_);
-    if (unowned > 0 && (limit_ == 0 || loads[member] < limit_))
-      findings_.add(step.now_ns, "proof", "{} tasks without an owner, and agent {} has room",
-                    unowned, member.value);
   }
 }
 

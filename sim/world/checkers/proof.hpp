@@ -9,8 +9,8 @@
 namespace arcbid {
 
 /// What a proof of agreement says must be so: its members are the living of V; every task has one
-/// owner among them, or none while all are at their limit; the owner flies it and stated that very
-/// bid; and all proofs of one hash say the same.
+/// owner among them at most, and nobody more than its limit (who may have none: LimitsChecker); the
+/// owner flies it and stated that very bid; and all proofs of one hash say the same.
 class ProofChecker {
  public:
   ProofChecker(const Mission& mission, std::size_t tasks, Findings& findings);
@@ -21,6 +21,7 @@ class ProofChecker {
   struct Proven {
     std::vector<AgentId> members;
     std::vector<Belief> winners;
+    std::vector<NoBidder> left;
   };
   void check_members(const SeenStep& step, const Agreement& proof) const;
   void check_owners(const SeenStep& step, const Agreement& proof) const;
