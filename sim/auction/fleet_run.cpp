@@ -2,15 +2,14 @@
 #include "sim/auction/fleet_run.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <ctime>
 #include <nlohmann/json.hpp>
-#include <numeric>
 #include <utility>
 
+#include "core/io/process/process.hpp"
 #include "core/route/exchanged.hpp"
 #include "core/route/route.hpp"
 #include "sim/auction/protocol.hpp"
+#include "sim/auction/spread.hpp"
 
 namespace arcbid {
 namespace {
@@ -19,29 +18,13 @@ namespace {
 class Stopwatch {
  public:
   double lap_s() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    const double now_s = static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+    const double now_s = thread_cpu_s();
     return now_s - std::exchange(last_s_, now_s);
   }
 
  private:
   double last_s_ = 0;
 };
-
-double mean(const std::vector<double>& shares) {
-  return std::accumulate(shares.begin(), shares.end(), 0.0) / static_cast<double>(shares.size());
-}
-
-double variance(const std::vector<double>& shares) {
-  double sum = 0;
-  for (const double share : shares) sum += (share - mean(shares)) * (share - mean(shares));
-  return sum / static_cast<double>(shares.size());
-}
-
-double ratio(double part, double whole) {
-  return whole > 0 ? part / whole : 0;
-}
 
 }  // namespace
 
@@ -84,15 +67,12 @@ std::string to_json(const FleetRun& run) {
     routes.push_back(route);
     counts.push_back(static_cast<double>(pieces.size()));
   }
-  const auto uniformity = [](const std::vector<double>& shares) {
-    return 1 / (variance(shares) + 1);
-  };
   const double fleet = static_cast<double>(run.routes.size());
   return nlohmann::json{
       {"makespan_s", *std::max_element(run.times_s.begin(), run.times_s.end())},
       {"total_length_m", run.total_length_m},
       {"uniformity", {{"count", uniformity(counts)}, {"time", uniformity(run.times_s)}}},
-      {"cv_time", ratio(std::sqrt(variance(run.times_s)), mean(run.times_s))},
+      {"cv_time", variation(run.times_s)},
       {"exchanges", run.exchanges},
       {"cpu_s", run.auction_cpu_s + run.trades_cpu_s + run.tours_cpu_s},
       {"cpu",

@@ -11,6 +11,7 @@
 #include "core/io/process/process.hpp"
 #include "core/io/run/run_files.hpp"
 #include "core/route/make_transit.hpp"
+#include "sim/auction/spread.hpp"
 #include "sim/certificate/files.hpp"
 #include "sim/checker/checker.hpp"
 #include "sim/commands/certify_run.hpp"
@@ -78,6 +79,7 @@ json result_of(const WorldResult& world, const CheckReport& report,
           {"makespan_s", report.makespan_s},
           {"total_length_m", report.total_length_m},
           {"uniformity", {{"count", report.uniformity_count}, {"time", report.uniformity_time}}},
+          {"cv_time", cv_time(report)},
           {"messages",
            {{"sent", world.messages},
             {"received", world.messages},
