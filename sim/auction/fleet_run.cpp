@@ -38,6 +38,7 @@ FleetRun run_fleet(const Mission& mission, Graph graph, TradesKind trades) {
   run.converged = won.converged;
   run.agreed = won.agreed;
   run.tasks = run.unassigned = instance.tasks.tasks.size();
+  run.piece_m = instance.tasks.piece_m;
   for (const auto& path : won.stops) run.unassigned -= path.size();
   run.auction_cpu_s = watch.lap_s();
   const StraightTransit transit;
@@ -48,6 +49,7 @@ FleetRun run_fleet(const Mission& mission, Graph graph, TradesKind trades) {
   for (std::size_t i = 0; i < mission.fleet.size(); ++i) {
     const Route route =
         plan_route(mission, instance.tasks, after.paths[i], mission.fleet[i], transit);
+    run.flown_tasks.push_back(after.paths[i].size());
     run.times_s.push_back(route.time_s);
     run.total_length_m += route.length_m;
     auto& flown = run.routes.emplace_back();

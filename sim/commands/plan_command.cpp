@@ -15,6 +15,7 @@
 #include "sim/certificate/files.hpp"
 #include "sim/checker/checker.hpp"
 #include "sim/commands/certify_run.hpp"
+#include "sim/commands/claim.hpp"
 #include "sim/picture/picture.hpp"
 #include "sim/world/world_log.hpp"
 
@@ -90,18 +91,6 @@ json result_of(const WorldResult& world, const CheckReport& report,
           {"faults", json::array()},
           {"problems", report.problems},
           {"warnings", warnings}};
-}
-
-/// Before the work, not after it.
-void claim(const std::filesystem::path& out) {
-  std::error_code error;
-  std::filesystem::create_directories(out, error);
-  if (error)
-    throw InputError(fmt::format("--out {}: {}; legal is a directory that is new or empty",
-                                 out.string(), error.message()));
-  if (!std::filesystem::is_empty(out))
-    throw InputError(fmt::format(
-        "--out {}: is not empty; legal is a directory that is new or empty", out.string()));
 }
 
 std::string figures(const CheckReport& report) {
