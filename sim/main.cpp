@@ -19,6 +19,7 @@
 #include "sim/commands/export_command.hpp"
 #include "sim/commands/plan_command.hpp"
 #include "sim/commands/replay_command.hpp"
+#include "sim/commands/reproduce_command.hpp"
 #include "sim/commands/sim_command.hpp"
 #include "sim/commands/tour_command.hpp"
 #include "sim/commands/view_command.hpp"
@@ -199,6 +200,7 @@ int main(int argc, char** argv) {
   const PlanCommand plan(app);
   const CertifyCommand certify_again(app);
   const TourCommand tour(app);
+  const ReproduceCommand reproduce(app);
   CLI::App* reference_command =
       app.add_subcommand("config-reference", "print every key of a config, its range and default");
   return run_command_line(app, argc, argv, [&] {
@@ -212,10 +214,11 @@ int main(int argc, char** argv) {
     if (view.parsed()) return view.run(programs());
     if (export_run.parsed()) return export_run.run();
     if (doctor.parsed()) return doctor.run();
-    if (plan.parsed() || certify_again.parsed()) {
+    if (plan.parsed() || certify_again.parsed() || reproduce.parsed()) {
       // There is nothing to be brought to an end: what they leave is whole or not there.
       std::signal(SIGINT, SIG_DFL);
       std::signal(SIGTERM, SIG_DFL);
+      if (reproduce.parsed()) return reproduce.run();
       return plan.parsed() ? plan.run() : certify_again.run();
     }
     if (tour.parsed()) return tour.run();

@@ -3,13 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <ctime>
 #include <fstream>
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "core/io/process/process.hpp"
 #include "sim/auction/arc_instance.hpp"
 #include "sim/auction/evaluate.hpp"
 #include "sim/auction/fleet_run.hpp"
@@ -29,13 +29,6 @@ const std::map<std::string, Graph> graphs{{"complete", Graph::complete},
                                           {"ring", Graph::ring},
                                           {"line", Graph::line},
                                           {"star", Graph::star}};
-
-/// CPU time of this thread, seconds.
-double cpu_s() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 nlohmann::json to_json(const RoundsOutcome& outcome, const Evaluation& value, double cpu) {
   nlohmann::json paths = nlohmann::json::array();
@@ -166,10 +159,10 @@ Exit AuctionCommand::run() const {
   if (a.agents.empty())
     throw InputError("auction: needs --agents and --tasks (points) or --instance (arcs)");
   const Instance instance = read_instance(a.agents, a.tasks, "value_" + a.values);
-  const double before = cpu_s();
+  const double before = thread_cpu_s();
   const RoundsOutcome outcome =
       run_rounds(instance, a.settings, a.graph, a.orders ? Encoding::orders : Encoding::bids);
-  const double cpu = cpu_s() - before;
+  const double cpu = thread_cpu_s() - before;
   const Evaluation value = evaluate(instance, outcome.paths, a.settings.discount_per_s);
   if (a.json == "-") {
     fmt::print("{}\n", to_json(outcome, value, cpu).dump());

@@ -2,15 +2,14 @@
 #include "sim/auction/fleet_run.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <ctime>
 #include <nlohmann/json.hpp>
-#include <numeric>
 #include <utility>
 
+#include "core/io/process/process.hpp"
 #include "core/route/exchanged.hpp"
 #include "core/route/route.hpp"
 #include "sim/auction/protocol.hpp"
+#include "sim/auction/spread.hpp"
 
 namespace arcbid {
 namespace {
@@ -19,9 +18,7 @@ namespace {
 class Stopwatch {
  public:
   double lap_s() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    const double now_s = static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+    const double now_s = thread_cpu_s();
     return now_s - std::exchange(last_s_, now_s);
   }
 
@@ -29,26 +26,12 @@ class Stopwatch {
   double last_s_ = 0;
 };
 
-double mean(const std::vector<double>& shares) {
-  return std::accumulate(shares.begin(), shares.end(), 0.0) / static_cast<double>(shares.size());
-}
-
-double variance(const std::vector<double>& shares) {
-  double sum = 0;
-  for (const double share : shares) sum += (share - mean(shares)) * (share - mean(shares));
-  return sum / static_cast<double>(shares.size());
-}
-
 std::vector<NoBidder> left_over(const Mission& mission, const TaskSet& set,
                                 const RoundsOutcome& won, const Transit& transit) {
   std::vector<Winnings> members;
   for (std::size_t i = 0; i < mission.fleet.size(); ++i)
     members.push_back({mission.fleet[i], won.paths[i], won.stops[i]});
   return no_bidders(members, set, mission.auction, transit);
-}
-
-double ratio(double part, double whole) {
-  return whole > 0 ? part / whole : 0;
 }
 
 }  // namespace
@@ -63,6 +46,7 @@ FleetRun run_fleet(const Mission& mission, Graph graph, TradesKind trades) {
   run.converged = won.converged;
   run.agreed = won.agreed;
   run.tasks = run.unassigned = instance.tasks.tasks.size();
+  run.piece_m = instance.tasks.piece_m;
   for (const auto& path : won.stops) run.unassigned -= path.size();
   run.auction_cpu_s = watch.lap_s();
   const StraightTransit transit;
@@ -75,6 +59,7 @@ FleetRun run_fleet(const Mission& mission, Graph graph, TradesKind trades) {
   for (std::size_t i = 0; i < mission.fleet.size(); ++i) {
     const Route route =
         plan_route(mission, instance.tasks, after.paths[i], mission.fleet[i], transit);
+    run.flown_tasks.push_back(after.paths[i].size());
     run.times_s.push_back(route.time_s);
     run.total_length_m += route.length_m;
     auto& flown = run.routes.emplace_back();
@@ -96,15 +81,12 @@ std::string to_json(const FleetRun& run) {
   }
   nlohmann::json left = nlohmann::json::array();
   for (const NoBidder& one : run.left) left.push_back(to_text(one));
-  const auto uniformity = [](const std::vector<double>& shares) {
-    return 1 / (variance(shares) + 1);
-  };
   const double fleet = static_cast<double>(run.routes.size());
   return nlohmann::json{
       {"makespan_s", *std::max_element(run.times_s.begin(), run.times_s.end())},
       {"total_length_m", run.total_length_m},
       {"uniformity", {{"count", uniformity(counts)}, {"time", uniformity(run.times_s)}}},
-      {"cv_time", ratio(std::sqrt(variance(run.times_s)), mean(run.times_s))},
+      {"cv_time", variation(run.times_s)},
       {"exchanges", run.exchanges},
       {"cpu_s", run.auction_cpu_s + run.trades_cpu_s + run.tours_cpu_s},
       {"cpu",

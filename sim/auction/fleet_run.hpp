@@ -23,7 +23,9 @@ struct FleetRun {
   bool converged = false, agreed = false;
   std::size_t tasks = 0, unassigned = 0;
   std::vector<NoBidder> left;                   ///< what makes up `unassigned`, and why
+  double piece_m = 0;                           ///< what arcs were cut into
   std::vector<std::vector<FlownPiece>> routes;  ///< by member
+  std::vector<std::size_t> flown_tasks;         ///< by member, of `tasks`
   std::vector<double> times_s;                  ///< home to home
   double total_length_m = 0;
   std::uint64_t exchanges = 0;  ///< tried out on the way, also if undone later

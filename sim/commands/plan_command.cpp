@@ -11,9 +11,11 @@
 #include "core/io/process/process.hpp"
 #include "core/io/run/run_files.hpp"
 #include "core/route/make_transit.hpp"
+#include "sim/auction/spread.hpp"
 #include "sim/certificate/files.hpp"
 #include "sim/checker/checker.hpp"
 #include "sim/commands/certify_run.hpp"
+#include "sim/commands/claim.hpp"
 #include "sim/picture/picture.hpp"
 #include "sim/world/world_log.hpp"
 
@@ -78,6 +80,7 @@ json result_of(const WorldResult& world, const CheckReport& report,
           {"makespan_s", report.makespan_s},
           {"total_length_m", report.total_length_m},
           {"uniformity", {{"count", report.uniformity_count}, {"time", report.uniformity_time}}},
+          {"cv_time", cv_time(report)},
           {"messages",
            {{"sent", world.messages},
             {"received", world.messages},
@@ -90,18 +93,6 @@ json result_of(const WorldResult& world, const CheckReport& report,
           {"no_bidders", json(no_bidders_json(report))},
           {"left_m", report.left_m()},
           {"warnings", warnings}};
-}
-
-/// Before the work, not after it.
-void claim(const std::filesystem::path& out) {
-  std::error_code error;
-  std::filesystem::create_directories(out, error);
-  if (error)
-    throw InputError(fmt::format("--out {}: {}; legal is a directory that is new or empty",
-                                 out.string(), error.message()));
-  if (!std::filesystem::is_empty(out))
-    throw InputError(fmt::format(
-        "--out {}: is not empty; legal is a directory that is new or empty", out.string()));
 }
 
 std::string figures(const CheckReport& report) {

@@ -5,6 +5,9 @@
 
 #include <chrono>
 #include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <optional>
 #include <thread>
 
 #include "core/io/process/process.hpp"
@@ -24,13 +27,23 @@ RunArchive opened(const std::filesystem::path& directory) {
   return run;
 }
 
+/// The page that `arcbid reproduce` left, in a directory that holds no run.
+std::optional<std::string> page_of_reproduction(const std::filesystem::path& directory) {
+  std::ifstream in(directory / "index.html", std::ios::binary);
+  if (!in || std::filesystem::exists(directory / "logs")) return std::nullopt;
+  return std::string(std::istreambuf_iterator<char>(in), {});
+}
+
 }  // namespace
 
 ViewCommand::ViewCommand(CLI::App& app)
-    : view_(app.add_subcommand("view", "see a run in a browser, also while it goes on")),
+    : view_(app.add_subcommand(
+          "view", "see a run in a browser, also while it goes on; or what `reproduce` left")),
       report_(app.add_subcommand(
           "report", "write the viewer and the run as one HTML file that opens from disk")) {
-  view_->add_option("run", run_, "run directory")->required()->check(CLI::ExistingDirectory);
+  view_->add_option("run", run_, "run directory, or the one of `arcbid reproduce`")
+      ->required()
+      ->check(CLI::ExistingDirectory);
   view_->add_option("--port", port_, "on 127.0.0.1; 0: any that is free (default)");
   report_->add_option("run", run_, "run directory")->required()->check(CLI::ExistingDirectory);
   report_->add_option("--out", out_, "the file (default: RUN/report.html)");
@@ -48,13 +61,20 @@ Exit ViewCommand::run(const std::filesystem::path& programs) const {
   return Exit::done;
 }
 
-Exit ViewCommand::serve(const std::filesystem::path& programs) const {
-  // A run that nobody writes any more has to open; one that goes on may not have its logs yet.
-  if (!goes_on(run_)) opened(run_);
-  const ViewServer server(run_, programs, port_, [this] { return goes_on(run_); });
+void ViewCommand::wait_beside(const ViewServer& server) const {
   fmt::print("{} is at {} until Ctrl-C\n", run_, server.address());
   std::fflush(stdout);
   while (!stop_requested()) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+}
+
+Exit ViewCommand::serve(const std::filesystem::path& programs) const {
+  if (auto page = page_of_reproduction(run_)) {
+    wait_beside(ViewServer(std::move(*page), port_));
+    return Exit::done;
+  }
+  // A run that nobody writes any more has to open; one that goes on may not have its logs yet.
+  if (!goes_on(run_)) opened(run_);
+  wait_beside(ViewServer(run_, programs, port_, [this] { return goes_on(run_); }));
   return Exit::done;
 }
 

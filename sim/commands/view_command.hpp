@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/base/error.hpp"
+#include "sim/view/server.hpp"
 
 namespace arcbid {
 
@@ -20,6 +21,7 @@ class ViewCommand {
 
  private:
   Exit serve(const std::filesystem::path& programs) const;
+  void wait_beside(const ViewServer& server) const;
 
   CLI::App* view_;
   CLI::App* report_;

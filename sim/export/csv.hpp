@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace arcbid {
 
@@ -23,6 +24,12 @@ class CsvFile {
   void row(const Fields&... fields) {
     line_.clear();
     (field(fields), ...);
+    end_line();
+  }
+  /// The same for a row whose length is not known before.
+  void fields(const std::vector<std::string>& texts) {
+    line_.clear();
+    for (const std::string& one : texts) text(one);
     end_line();
   }
   void close();

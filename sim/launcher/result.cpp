@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "sim/auction/spread.hpp"
+
 namespace arcbid {
 
 using nlohmann::json;
@@ -59,6 +61,7 @@ json result_json(const CheckReport& report, const Monitor& monitor,
            {"makespan_s", report.makespan_s},
            {"total_length_m", report.total_length_m},
            {"uniformity", {{"count", report.uniformity_count}, {"time", report.uniformity_time}}},
+           {"cv_time", cv_time(report)},
            {"messages",
             {{"sent", traffic.sent},
              {"received", traffic.received},
@@ -111,8 +114,9 @@ std::string result_table(const json& r) {
                                    stretches(r["no_bidders"].size()), r["left_m"].get<double>()));
   row("total length", fmt::format("{:.1f} m", r["total_length_m"].get<double>()));
   row("uniformity E",
-      fmt::format("{:.4f} on tasks, {:.4g} on flight time", r["uniformity"]["count"].get<double>(),
-                  r["uniformity"]["time"].get<double>()));
+      fmt::format("{:.4f} on {} tasks, {:.4g} on flight times, which vary by {:.1f} % (CV)",
+                  r["uniformity"]["count"].get<double>(), r["tasks"].get<std::size_t>(),
+                  r["uniformity"]["time"].get<double>(), 100 * r["cv_time"].get<double>()));
   row("agreement",
       agreement["reached"].get<bool>()
           ? fmt::format("proven {:.2f} s after launch, {} rounds",

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/tour/rivals.hpp"
 
-#include "core/io/process/process.hpp"
-
 namespace arcbid {
 
 double OrderSearch::length_m(const Order& order) {
@@ -20,8 +18,8 @@ OrderSearch::Order OrderSearch::best_order() const {
 
 SolvedTour solve_by(Rival rival, std::span<const TourArc> arcs, const Vec3& home_m,
                     const Transit& transit, std::uint64_t seed, const TourEffort& effort) {
-  const TimeNs start_ns = monotonic_ns();
-  const auto seconds = [start_ns] { return static_cast<double>(monotonic_ns() - start_ns) * 1e-9; };
+  const double start_s = effort.now_s();
+  const auto seconds = [&] { return effort.now_s() - start_s; };
   OrderSearch search(arcs, home_m, transit);
   SolvedTour out{.tour = {}, .seconds = 0, .iterations = 1};
   const GoesOn goes_on = [&] {

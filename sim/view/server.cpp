@@ -67,6 +67,26 @@ struct ViewServer::Impl {
     return data;
   }
 
+  void start(std::uint16_t wanted) {
+    server.set_pre_routing_handler(
+        [this](const httplib::Request& request, httplib::Response& response) {
+          if (is_ours(request)) return httplib::Server::HandlerResponse::Unhandled;
+          response.status = 403;
+          return httplib::Server::HandlerResponse::Handled;
+        });
+    server.Get("/", [this](const httplib::Request&, httplib::Response& response) {
+      response.set_content(page, "text/html; charset=utf-8");
+    });
+    if (wanted == 0)
+      port = server.bind_to_any_port(host);
+    else if (server.bind_to_port(host, wanted))
+      port = wanted;
+    if (port <= 0)
+      throw InputError(fmt::format("--port {}: is taken; legal: a free one, or 0 for any", wanted));
+    thread = std::thread([this] { server.listen_after_bind(); });
+    while (!server.is_running()) std::this_thread::sleep_for(1ms);  // stop() before that is lost
+  }
+
   /// Only pages of this server may ask: a name that somebody else made lead here is none of it.
   bool is_ours(const httplib::Request& request) const {
     const std::string here = fmt::format("{}:{}", host, port),
@@ -109,15 +129,6 @@ ViewServer::ViewServer(std::filesystem::path run, const std::filesystem::path& p
   self.run = std::move(run);
   self.page = viewer_page(programs);
   self.is_live = std::move(is_live);
-  self.server.set_pre_routing_handler(
-      [&self](const httplib::Request& request, httplib::Response& response) {
-        if (self.is_ours(request)) return httplib::Server::HandlerResponse::Unhandled;
-        response.status = 403;
-        return httplib::Server::HandlerResponse::Handled;
-      });
-  self.server.Get("/", [&self](const httplib::Request&, httplib::Response& response) {
-    response.set_content(self.page, "text/html; charset=utf-8");
-  });
   self.server.Get("/data", [&self](const httplib::Request&, httplib::Response& response) {
     response.set_header("Content-Encoding", "gzip");
     response.set_header("Cache-Control", "no-store");
@@ -126,14 +137,12 @@ ViewServer::ViewServer(std::filesystem::path run, const std::filesystem::path& p
   self.server.Get("/updates", [&self](const httplib::Request&, httplib::Response& response) {
     self.serve_updates(response);
   });
-  if (port == 0)
-    self.port = self.server.bind_to_any_port(host);
-  else if (self.server.bind_to_port(host, port))
-    self.port = port;
-  if (self.port <= 0)
-    throw InputError(fmt::format("--port {}: is taken; legal: a free one, or 0 for any", port));
-  self.thread = std::thread([&self] { self.server.listen_after_bind(); });
-  while (!self.server.is_running()) std::this_thread::sleep_for(1ms);  // stop() before that is lost
+  self.start(port);
+}
+
+ViewServer::ViewServer(std::string page, std::uint16_t port) : impl_(std::make_unique<Impl>()) {
+  impl_->page = std::move(page);
+  impl_->start(port);
 }
 
 ViewServer::~ViewServer() {

@@ -18,6 +18,8 @@ class ViewServer {
   /// InputError when the port is taken, or the viewer was not built.
   ViewServer(std::filesystem::path run, const std::filesystem::path& programs, std::uint16_t port,
              std::function<bool()> is_live);
+  /// Serves one page that needs nothing else.
+  ViewServer(std::string page, std::uint16_t port);
   ~ViewServer();
 
   std::string address() const;  ///< where a browser finds it

@@ -7,9 +7,9 @@
 #include <array>
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/uniform_real_distribution.hpp>
-#include <ctime>
 #include <string>
 
+#include "core/io/process/process.hpp"
 #include "sim/tour/solve.hpp"
 #include "tests/tour/tsplib.hpp"
 
@@ -17,13 +17,6 @@ namespace arcbid {
 namespace {
 
 constexpr std::uint64_t kSeeds = 20;
-
-/// Other work on the machine is not to count.
-double cpu_s() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
 
 struct PaperRow {
   const char* set;
@@ -43,7 +36,7 @@ SolvedTour solved(const std::vector<TourArc>& arcs, TourSolver solver, std::uint
                   double deadline_s) {
   const StraightTransit straight;
   return solve_tour(arcs, arcs.front().first_m, straight, {.solver = solver, .seed = seed},
-                    {deadline_s, {}, cpu_s});
+                    {deadline_s, {}, thread_cpu_s});
 }
 
 struct Mean {

@@ -26,6 +26,8 @@ TEST(Mission, DemoIsAllocatedProvenFlownAndChecked) {
     EXPECT_GT(result["uniformity"][number].get<double>(), 0) << number;
     EXPECT_LE(result["uniformity"][number].get<double>(), 1) << number;
   }
+  EXPECT_GT(result["cv_time"].get<double>(), 0);
+  EXPECT_LT(result["cv_time"].get<double>(), 0.5);
   for (const char* number : {"sent", "received", "bytes"})
     EXPECT_GT(result["messages"][number].get<std::uint64_t>(), 0u) << number;
   EXPECT_TRUE(result["messages"]["dropped"].is_number());

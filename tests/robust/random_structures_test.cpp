@@ -13,7 +13,7 @@
 #include "core/base/error.hpp"
 #include "core/coverage/coverage_arcs.hpp"
 #include "sim/certificate/certificate.hpp"
-#include "tests/economy/one_route.hpp"
+#include "sim/reproduce/one_route.hpp"
 #include "tests/robust/chance.hpp"
 #include "tests/robust/random_structure.hpp"
 
@@ -51,7 +51,7 @@ Certificate certified(const Structure& structure, const CoverageSettings& s) {
   how.ground_clearance_m = s.ground_clearance_m;
   how.spacing_m = 0.4;
   how.mission_seed = s.seed;
-  return certificate::certify(structure, one_route(plan.arcs, airspace, home), how);
+  return certificate::certify(structure, reproduce::one_route(plan.arcs, airspace, home), how);
 }
 
 void expect_true(const Certificate& c, double safety_m) {

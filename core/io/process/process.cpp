@@ -8,6 +8,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <ctime>
 #include <utility>
 
 namespace arcbid {
@@ -18,12 +19,26 @@ extern "C" void note_stop(int signal) {
   stop_signal = signal;
 }
 
+double clock_s(clockid_t clock) {
+  timespec now{};
+  clock_gettime(clock, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
 }  // namespace
 
 TimeNs monotonic_ns() {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(
              std::chrono::steady_clock::now().time_since_epoch())
       .count();
+}
+
+double thread_cpu_s() {
+  return clock_s(CLOCK_THREAD_CPUTIME_ID);
+}
+
+double process_cpu_s() {
+  return clock_s(CLOCK_PROCESS_CPUTIME_ID);
 }
 
 std::uint64_t birth_stamp_ms() {

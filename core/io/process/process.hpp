@@ -17,6 +17,10 @@ namespace arcbid {
 
 /// The machine's monotonic clock: the same for all processes of one host.
 TimeNs monotonic_ns();
+/// CPU time of this thread, seconds: what other work on the machine does not count towards.
+double thread_cpu_s();
+/// Of all threads of this process.
+double process_cpu_s();
 /// Milliseconds of the wall clock at the start of a process: names the incarnation of an agent.
 std::uint64_t birth_stamp_ms();
 

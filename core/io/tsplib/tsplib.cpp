@@ -75,7 +75,7 @@ Cities read_section(Text& in) {
   return cities;
 }
 
-Cities read_cities(const std::filesystem::path& file) {
+Cities numbered_cities(const std::filesystem::path& file) {
   Text in(file);
   std::optional<std::int64_t> dimension;
   for (Words words; in.next(words);) {
@@ -84,6 +84,7 @@ Cities read_cities(const std::filesystem::path& file) {
     Cities cities = read_section(in);
     if (dimension && *dimension != static_cast<std::int64_t>(cities.size()))
       in.fail(fmt::format("DIMENSION is {}, but {} cities follow", *dimension, cities.size()));
+    if (cities.empty()) in.fail("no city in its NODE_COORD_SECTION");
     return cities;
   }
   in.fail("no NODE_COORD_SECTION; legal: TSPLIB instances given by coordinates");
@@ -110,10 +111,15 @@ void add_duplicate(const Text& in, Cities& cities, const Words& words) {
 
 }  // namespace
 
+std::vector<Vec3> read_cities(const std::filesystem::path& tsp) {
+  std::vector<Vec3> cities;
+  for (const auto& [number, at] : numbered_cities(tsp)) cities.push_back(at);
+  return cities;
+}
+
 PairedCities read_paired_cities(const std::filesystem::path& tsp,
                                 const std::filesystem::path& pairs) {
-  Cities cities = read_cities(tsp);
-  if (cities.empty()) throw InputError(tsp.string() + ": no city in its NODE_COORD_SECTION");
+  Cities cities = numbered_cities(tsp);
   Text in(pairs);
   PairedCities out;
   std::map<std::uint32_t, bool> is_paired;

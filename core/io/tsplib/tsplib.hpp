@@ -23,4 +23,7 @@ struct PairedCities {
 PairedCities read_paired_cities(const std::filesystem::path& tsp,
                                 const std::filesystem::path& pairs);
 
+/// The cities alone, by ascending numbers. Throws InputError.
+std::vector<Vec3> read_cities(const std::filesystem::path& tsp);
+
 }  // namespace arcbid

@@ -6,7 +6,7 @@
 #include "core/arcs/airspace.hpp"
 #include "sim/certificate/flight.hpp"
 
-namespace arcbid {
+namespace arcbid::reproduce {
 
 /// What one UAV flies that takes all arcs, home to home: in CRSOM's order, and on legs around what
 /// is in the way. The order is that of straight legs: the lengths of all others among thousands of
@@ -14,4 +14,4 @@ namespace arcbid {
 certificate::Flown one_route(const std::vector<Arc>& arcs, const Airspace& airspace,
                              const Vec3& home_m);
 
-}  // namespace arcbid
+}  // namespace arcbid::reproduce

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/economy/one_route.hpp"
+#include "sim/reproduce/one_route.hpp"
 
 #include "core/airspace/obstacle_transit.hpp"
 #include "core/tour/tour.hpp"
 
-namespace arcbid {
+namespace arcbid::reproduce {
 
 namespace {
 
@@ -41,4 +41,4 @@ certificate::Flown one_route(const std::vector<Arc>& arcs, const Airspace& airsp
   return flown;
 }
 
-}  // namespace arcbid
+}  // namespace arcbid::reproduce
