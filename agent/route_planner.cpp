@@ -18,10 +18,10 @@ PlannedFlight planned(const Mission& mission, const Transit& transit, const Task
                       const Agreement& agreement, AgentId self, const std::atomic<bool>& wanted) {
   const auto uav =
       std::ranges::find_if(mission.fleet, [self](const Uav& u) { return u.id == self; });
-  Share share =
-      share_of(mission, tasks, agreement, self, transit, [&wanted] { return wanted.load(); });
+  const auto is_wanted = [&wanted] { return wanted.load(); };
+  Share share = share_of(mission, tasks, agreement, self, transit, is_wanted);
+  Route route = plan_route(mission, tasks, share.path, *uav, transit, is_wanted);
   if (!wanted) return {};
-  Route route = plan_route(mission, tasks, share.path, *uav, transit);
   return {agreement.view_hash, std::move(share), std::move(route)};
 }
 

@@ -155,6 +155,7 @@ void CoordinatorProcess::handle(const RouteMessage& route) {
     log_->append(now_ns(), "heard_route",
                  {{"agent", route.header.sender.value},
                   {"view_hash", hex(route.view_hash)},
+                  {"owners_digest", hex(route.owners_digest)},
                   {"length_m", route.length_m},
                   {"time_s", route.time_s}});
 }

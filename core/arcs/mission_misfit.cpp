@@ -59,7 +59,8 @@ std::optional<std::string> misfit(const Mission& mission) {
   const auto& fleet = mission.fleet;
   for (std::size_t k = 0; k < fleet.size(); ++k) {
     const bool ascends = fleet[k].id > (k > 0 ? fleet[k - 1].id : AgentId{0});
-    if (!ascends || !is_place(fleet[k].home_m) || !is_positive(fleet[k].speed_mps))
+    if (!ascends || !is_place(fleet[k].home_m) || !is_positive(fleet[k].speed_mps) ||
+        !is_positive(fleet[k].endurance_s.value_or(1)))
       return fmt::format("agent {} of its fleet is none", k + 1);
   }
   if (mission.arcs.empty() || fleet.empty()) return "it has no arcs or no fleet";

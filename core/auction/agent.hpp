@@ -47,6 +47,13 @@ struct DecisionMade {
   std::vector<PathStop> path;  ///< p_i
 };
 
+/// What one member won: claims in the order in which it took them, from which its path follows; of
+/// tables, which do not say it, by falling bids.
+struct Taken {
+  AgentId agent;
+  std::vector<TaskId> tasks;
+};
+
 /// Proof that every living member holds the same allocation and will not change it by itself.
 struct Agreement {
   std::uint64_t view_hash = 0;   ///< H: the same for every member
@@ -54,6 +61,7 @@ struct Agreement {
   std::vector<AgentId> members;  ///< the living
   std::vector<Belief> winners;   ///< z and y, an entry for each task
   std::vector<PathStop> path;    ///< p_i of this agent
+  std::vector<Taken> taken;      ///< by all members
   std::vector<NoBidder> left;    ///< what none of the members flies, and why
 };
 
@@ -108,6 +116,7 @@ class Agent {
   void decided(bool changed, Update& update);
   void state(std::uint32_t version);
   void prove(Update& update);
+  Taken taken_by(AgentId agent, const std::vector<Belief>& winners) const;
   std::vector<NoBidder> left_over(const Agreement& agreement) const;
   void send(Update& update);
   StatusMessage status(bool whole) const;

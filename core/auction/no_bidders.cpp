@@ -133,6 +133,11 @@ class Search {
       left.needed_s = needed_s;
       left.endurance_s = *uav.endurance_s;
     }
+    // Pieces joined, or bids that insert elsewhere: it lasts, and yet nobody could bid.
+    if (left.nearest && left.needed_s <= left.endurance_s) {
+      left.nearest.reset();
+      left.needed_s = left.endurance_s = 0;
+    }
   }
 
   const std::vector<Winnings>& members_;
@@ -156,6 +161,7 @@ std::string reason(const NoBidder& left) {
     case NoBidderReason::payload:
       return fmt::format("no bidder: needs a {}, nobody carries one", name_of(left.needs));
     case NoBidderReason::endurance:
+      if (!left.nearest) return "no bidder: nobody lasts long enough";
       return fmt::format("no bidder: needs {:.1f} s, best endurance {:.1f} s (agent {})",
                          up(left.needed_s), down(left.endurance_s), left.nearest->value);
     case NoBidderReason::bundle_limit:

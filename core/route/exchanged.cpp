@@ -8,7 +8,8 @@
 namespace arcbid {
 namespace {
 
-constexpr double lots_each = 8;  // at least, in what one UAV flies without transits
+constexpr std::size_t most_lots = 2000;  // a table of legs of 64 MB
+constexpr double lots_each = 8;          // at least, in what one UAV flies without transits
 
 /// Tasks `first` to `last`: neighbours on one arc.
 struct Run {
@@ -138,7 +139,7 @@ FleetPaths exchanged(const Mission& mission, const std::vector<Uav>& members, co
   const TradesKind kind = mission.auction.trades;
   const std::vector<Flown> flown = flown_by(set, won);
   const std::vector<Run> runs = runs_of(set, flown, members.size());
-  if (kind == TradesKind::off || runs.empty()) return {std::move(won)};
+  if (kind == TradesKind::off || runs.empty() || runs.size() > most_lots) return {std::move(won)};
   const std::vector<Trader> traders = traders_of(mission, members);
   const std::vector<Lot> lots = lots_of(mission, set, runs);
   Exchanges exchanges(traders, lots, start_of(set, flown, runs, members.size()), transit, kind,

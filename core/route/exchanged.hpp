@@ -2,12 +2,12 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 #include "core/arcs/mission.hpp"
 #include "core/auction/score.hpp"
 #include "core/auction/task_set.hpp"
+#include "core/tour/tour.hpp"
 #include "core/trades/exchanges.hpp"
 
 namespace arcbid {
@@ -18,10 +18,6 @@ struct FleetPaths {
   std::uint64_t exchanges = 0;  ///< tried out on the way, also if undone later
   bool is_better = false;       ///< else they are what was won
 };
-
-/// Asked between steps of some ms; false: the outcome is no longer wanted, and what was won is as
-/// good.
-using StillWanted = std::function<bool()>;
 
 /// What the fleet flies after it exchanged what it won (core/trades), as `mission.auction.trades`
 /// says. Tasks are exchanged in lots: arcs, or parts of them where an arc is long beside what one

@@ -45,7 +45,7 @@ std::vector<RouteLeg> legs_of(const Mission& mission, const std::vector<Piece>& 
 }  // namespace
 
 Route plan_route(const Mission& mission, const TaskSet& tasks, const std::vector<PathStop>& path,
-                 const Uav& uav, const Transit& transit) {
+                 const Uav& uav, const Transit& transit, const StillWanted& wanted) {
   std::vector<TaskId> won;
   for (const PathStop& stop : path) won.push_back(stop.task);
   const std::vector<Piece> pieces = combine(tasks, won);
@@ -57,7 +57,7 @@ Route plan_route(const Mission& mission, const TaskSet& tasks, const std::vector
   const Tour priced = best_directions(arcs, auction_order, uav.home_m, transit);
   const Tour crsom = crsom_tour(arcs, uav.home_m, transit, mission.tour);
   const Tour best =
-      improved_tour(arcs, uav.home_m, transit, std::vector{crsom, priced}, mission.tour);
+      improved_tour(arcs, uav.home_m, transit, std::vector{crsom, priced}, mission.tour, wanted);
   return {.legs = legs_of(mission, pieces, best, uav.home_m, transit),
           .length_m = best.total_m,
           .time_s = best.total_m / uav.speed_mps,

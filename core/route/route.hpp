@@ -25,6 +25,6 @@ struct Route {
 /// that tour and the one the auction priced the bids with; never longer than either. `path`: p_i at
 /// agreement.
 Route plan_route(const Mission& mission, const TaskSet& tasks, const std::vector<PathStop>& path,
-                 const Uav& uav, const Transit& transit);
+                 const Uav& uav, const Transit& transit, const StillWanted& wanted = {});
 
 }  // namespace arcbid

@@ -1,36 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/route/share.hpp"
 
-#include <algorithm>
-#include <functional>
 #include <utility>
 
 #include "core/auction/no_bidders.hpp"
+#include "core/auction/roster.hpp"
 #include "core/base/digest.hpp"
 
 namespace arcbid {
 namespace {
-
-std::vector<Uav> members_of(const Mission& mission, const Agreement& agreement) {
-  std::vector<Uav> members;
-  for (const Uav& uav : mission.fleet)
-    if (std::ranges::find(agreement.members, uav.id) != agreement.members.end())
-      members.push_back(uav);
-  return members;
-}
-
-/// What one member won, as a path. Tables of beliefs do not tell how their owners order their
-/// tasks, so they are taken anew, the highest bid first: as an auction's bundle grows.
-std::vector<PathStop> path_won(const Mission& mission, const TaskSet& set,
-                               const std::vector<Belief>& winners, const Uav& uav,
-                               const Transit& transit) {
-  std::vector<TaskId> won;
-  for (std::uint32_t j = 0; j < winners.size(); ++j)
-    if (winners[j].winner == uav.id) won.push_back({j});
-  std::ranges::stable_sort(won, std::greater(),
-                           [&](TaskId task) { return winners[task.value].bid; });
-  return path_of(won, set, uav, mission.auction, transit);
-}
 
 std::vector<std::optional<AgentId>> owners_of(const std::vector<Belief>& winners) {
   std::vector<std::optional<AgentId>> owners;
@@ -44,10 +22,12 @@ FleetShare fleet_share(const Mission& mission, const TaskSet& set, const Agreeme
                        const Transit& transit, const StillWanted& wanted) {
   FleetShare share{agreement.members, {}, 0};
   if (mission.auction.trades == TradesKind::off) return share;
-  const std::vector<Uav> members = members_of(mission, agreement);
+  std::vector<Uav> members;
   std::vector<std::vector<PathStop>> won;
-  for (const Uav& uav : members)
-    won.push_back(path_won(mission, set, agreement.winners, uav, transit));
+  for (const Taken& taken : agreement.taken) {
+    members.push_back(uav_of(mission, taken.agent));
+    won.push_back(path_of(taken.tasks, set, members.back(), mission.auction, transit));
+  }
   FleetPaths after = exchanged(mission, members, set, std::move(won), transit, wanted);
   if (!after.is_better) return share;
   share.paths = std::move(after.paths);

@@ -6,6 +6,11 @@
 #include "core/tour/tour.hpp"
 
 namespace arcbid {
+namespace {
+
+constexpr std::uint64_t step = 256;  // disturbances: some ms
+
+}  // namespace
 
 Tour best_directions_either_way(std::span<const TourArc> arcs, std::vector<std::uint32_t> order,
                                 const Vec3& home_m, const Transit& transit) {
@@ -21,13 +26,19 @@ Tour crsom_tour(std::span<const TourArc> arcs, const Vec3& home_m, const Transit
 }
 
 Tour improved_tour(std::span<const TourArc> arcs, const Vec3& home_m, const Transit& transit,
-                   std::span<const Tour> starts, const TourSettings& settings) {
+                   std::span<const Tour> starts, const TourSettings& settings,
+                   const StillWanted& wanted) {
   check(!starts.empty(), "there is a tour to improve");
   const Tour& start = *std::ranges::min_element(starts, {}, &Tour::total_m);
   if (settings.solver == TourSolver::crsom) return start;
   TourSearch search(arcs, home_m, transit, settings.seed);
   for (const Tour& tour : starts) search.offer(tour);
-  search.improve(std::uint64_t{settings.iterations} * arcs.size());
+  for (std::uint64_t left = std::uint64_t{settings.iterations} * arcs.size();
+       left > 0 && (!wanted || wanted());) {
+    const std::uint64_t some = std::min(left, step);
+    search.improve(some);
+    left -= some;
+  }
   const Tour found = search.tour();
   return found.total_m < start.total_m ? found : start;
 }

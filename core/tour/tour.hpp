@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -31,6 +32,10 @@ struct Tour {
   double total_m = 0;       ///< transits and arcs
 };
 
+/// Asked between steps of some ms; false: the outcome is no longer wanted, and any sound one will
+/// do.
+using StillWanted = std::function<bool()>;
+
 /// The order of the arcs along a clustering growing ring SOM (paper, section 3.2, eqs. 12 to 17;
 /// the growth after Sasamura, Ohta, Saito 2002): positions in `arcs`, each exactly once. One neuron
 /// stands for both ends of an arc: the input is their centre. Home is one more input and starts the
@@ -59,7 +64,8 @@ Tour crsom_tour(std::span<const TourArc> arcs, const Vec3& home_m, const Transit
 /// settings.iterations; never longer than the shortest of them. With the solver crsom: the shortest
 /// of them. At least one start.
 Tour improved_tour(std::span<const TourArc> arcs, const Vec3& home_m, const Transit& transit,
-                   std::span<const Tour> starts, const TourSettings& settings);
+                   std::span<const Tour> starts, const TourSettings& settings,
+                   const StillWanted& wanted = {});
 
 /// `crsom_tour`, and `improved_tour` of it.
 Tour plan_tour(std::span<const TourArc> arcs, const Vec3& home_m, const Transit& transit,

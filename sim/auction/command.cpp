@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iostream>
 #include <map>
@@ -148,8 +149,12 @@ Exit AuctionCommand::run_arcs() const {
     mission.auction.score = ScoreKind::minimax_long_first;
   mission.auction.split_m = a.split_m > 0 ? a.split_m : 1e9;
   const FleetRun run = run_fleet(mission, a.graph, a.trades);
-  fmt::print("{}\n", to_json(run));
-  const bool whole = run.unassigned == 0 || a.settings.bundle_limit > 0;
+  if (a.json.empty() || a.json == "-")
+    fmt::print("{}\n", to_json(run));
+  else if (!(std::ofstream(a.json) << to_json(run) << '\n'))
+    throw InputError(fmt::format("{}: cannot be written", a.json));
+  const bool whole = std::ranges::all_of(
+      run.left, [](const NoBidder& left) { return left.why == NoBidderReason::bundle_limit; });
   return run.converged && run.agreed && whole ? Exit::done : Exit::check_failed;
 }
 

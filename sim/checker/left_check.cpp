@@ -92,10 +92,15 @@ class Reason {
       deny(who + fmt::format("won {} tasks and may take {}", won, left_.limit));
     else if (left_.why != "bundle-limit" && !uav.endurance_s)
       deny(who + "has no limit to its endurance");
-    else if (left_.why == "endurance" && published_.transits_are_straight &&
+    else if (has_room(won) && published_.transits_are_straight && uav.endurance_s &&
              straight_s(uav) < *uav.endurance_s)
       deny(who +
            fmt::format("could fly it alone in {:.4f} s of {}", straight_s(uav), *uav.endurance_s));
+  }
+
+  /// For one more, where it is said that there was none, or that it would not help.
+  bool has_room(std::size_t won) const {
+    return left_.why == "endurance" || (left_.why == "bundle-limit" && won < left_.limit);
   }
 
   double straight_s(const FleetAgent& uav) const {

@@ -48,6 +48,10 @@ class Fitting {
     if (agreement.winners.size() != tasks_) refuse("winners of", agreement.winners.size());
     fit(agreement.winners);
     fit(agreement.path);
+    for (const Taken& taken : agreement.taken) {
+      fit(taken.agent);
+      for (const TaskId task : taken.tasks) fit(task);
+    }
   }
 
  private:

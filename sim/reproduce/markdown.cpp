@@ -26,8 +26,13 @@ std::string table_text(const Table& table) {
 }  // namespace
 
 std::string shown(const Cell& cell, const Column& column) {
-  if (const double* number = std::get_if<double>(&cell))
-    return fmt::format("{:.{}f}", *number, column.digits);
+  if (const double* number = std::get_if<double>(&cell)) {
+    const std::string text = fmt::format("{:.{}f}", *number, column.digits);
+    // What is rounded to nothing has no sign.
+    return text.find_first_not_of("-0.") == std::string::npos && text.front() == '-'
+               ? text.substr(1)
+               : text;
+  }
   const std::string* text = std::get_if<std::string>(&cell);
   return text ? *text : "";
 }

@@ -32,7 +32,8 @@ CoverageSettings coverage_settings(const Settings& settings, double spacing_m);
 
 Model make_model(ModelKind kind, const Structure& structure, const CoverageSettings& coverage);
 
-/// A model as one UAV flies it, in CRSOM's order and around what is in the way, and what the
+/// A model as one UAV flies it, in the order that CRSOM and local search find, around what is in
+/// the way, and what the
 /// certificate says of that, on samples that no model was planned with.
 struct FlownModel {
   certificate::Flown flown;

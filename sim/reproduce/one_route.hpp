@@ -8,7 +8,8 @@
 
 namespace arcbid::reproduce {
 
-/// What one UAV flies that takes all arcs, home to home: in CRSOM's order, and on legs around what
+/// What one UAV flies that takes all arcs, home to home: in the order that missions would find
+/// (CRSOM and local search), and on legs around what
 /// is in the way. The order is that of straight legs: the lengths of all others among thousands of
 /// end points would take minutes.
 certificate::Flown one_route(const std::vector<Arc>& arcs, const Airspace& airspace,

@@ -28,6 +28,12 @@ SolvedTour solve_by(Rival rival, std::span<const TourArc> arcs, const Vec3& home
     out.iterations += more ? 1 : 0;
     return more;
   };
+  if (arcs.size() < 2) {
+    const OrderSearch::Order order(arcs.size());  // nothing, or the only one
+    search.length_m(order);
+    out.tour = search.best();
+    return out;
+  }
   if (rival == Rival::ga) search_by_ga(search, seed, goes_on);
   if (rival == Rival::aco) search_by_aco(search, seed, goes_on);
   if (rival == Rival::pso) search_by_pso(search, seed, goes_on);

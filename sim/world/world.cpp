@@ -205,6 +205,9 @@ void World::work_out_exchanges(const Life& life, const Agreement& proof) {
   FleetShare share = fleet_share(*mission_, life.core->tasks(), proof, *transit_);
   exchange_checker_.after(now_ns_, proof, share);
   digest_.add(share.exchanges);
+  for (const auto& path : share.paths)
+    for (const PathStop& stop : path)
+      digest_.add(std::uint64_t{stop.task.value}).add(std::uint64_t{stop.reversed});
   exchanged_[proof.view_hash] = std::move(share);
 }
 

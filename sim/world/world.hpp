@@ -79,8 +79,8 @@ class World {
   TimeNs bound_ns(std::size_t diameter) const;
   std::uint64_t most_steps() const;
   std::vector<Component> living_components() const;
-  void fly(const Component& component, std::size_t n, const Bidder& bidder,
-           std::vector<Piece>& flown);
+  double fly(const Component& component, std::size_t n, const Bidder& bidder,
+             std::vector<Piece>& flown);
   void work_out_exchanges(const Life& life, const Agreement& proof);
   void check_outcome(const std::vector<Component>& components);
   std::vector<Bidder> bidders(const Component& component) const;

@@ -99,9 +99,10 @@ std::vector<Bidder> World::bidders(const Component& component) const {
   return bidders;
 }
 
-/// What member `n` of a component flies: what it won, or what it has after exchanges.
-void World::fly(const Component& component, std::size_t n, const Bidder& bidder,
-                std::vector<Piece>& flown) {
+/// What member `n` of a component flies: what it won, or what it has after exchanges. Returns how
+/// long that takes, seconds.
+double World::fly(const Component& component, std::size_t n, const Bidder& bidder,
+                  std::vector<Piece>& flown) {
   const Life& life = life_of(component.members[0]);
   const auto share = exchanged_.find(life.proof->view_hash);
   const bool is_exchanged = share != exchanged_.end() && share->second.is_better();
@@ -112,6 +113,7 @@ void World::fly(const Component& component, std::size_t n, const Bidder& bidder,
   const double closed_s = closed_path_s(pieces_, bidder.uav, path, *transit_);
   result_.makespan_s = std::max(result_.makespan_s, closed_s);
   result_.total_length_m += closed_s * bidder.uav.speed_mps;
+  return closed_s;
 }
 
 void World::check_outcome(const std::vector<Component>& components) {
@@ -122,7 +124,12 @@ void World::check_outcome(const std::vector<Component>& components) {
   for (const Component& component : components) {
     const std::vector<Bidder> all = bidders(component);
     std::vector<Piece> flown;
-    for (std::size_t n = 0; n < all.size(); ++n) fly(component, n, all[n], flown);
+    double won_s = 0, flown_s = 0;
+    for (std::size_t n = 0; n < all.size(); ++n) {
+      flown_s = std::max(flown_s, fly(component, n, all[n], flown));
+      won_s = std::max(won_s, closed_path_s(pieces_, all[n].uav, all[n].path, *transit_));
+    }
+    exchange_checker_.compare(now_ns_, won_s, flown_s);
     const std::vector<Belief>& winners = life_of(component.members[0]).proof->winners;
     if (component.members.size() > largest) {
       largest = component.members.size();

@@ -46,7 +46,9 @@ TEST_F(RoutePlannerTest, PlansWhatFollowsFromTheAgreementForEveryMember) {
     const PlannedFlight planned = flight();
     EXPECT_FALSE(planner.busy());
     EXPECT_EQ(planned.view_hash, fleet->agreement({agent})->view_hash);
-    if (!owners.empty()) EXPECT_EQ(planned.share.owners, owners);
+    if (!owners.empty()) {
+      EXPECT_EQ(planned.share.owners, owners);
+    }
     owners = planned.share.owners;
     for (const PathStop& stop : planned.share.path)
       EXPECT_EQ(owners[stop.task.value], AgentId{agent});
@@ -54,6 +56,17 @@ TEST_F(RoutePlannerTest, PlansWhatFollowsFromTheAgreementForEveryMember) {
   }
   EXPECT_EQ(flown, owners.size());
   EXPECT_EQ(calls, 3);
+}
+
+/// A tour that would take minutes is given up as soon as nobody wants it.
+TEST_F(RoutePlannerTest, ALongTourIsGivenUpToo) {
+  agree(TradesKind::off, 40);
+  Mission long_tours = *mission;
+  long_tours.tour.iterations = 1'000'000;
+  mission = std::make_shared<const Mission>(long_tours);
+  plan(1);
+  planner.drop();
+  EXPECT_EQ(flight().view_hash, 0u);
 }
 
 TEST_F(RoutePlannerTest, WhatIsDroppedIsOfNoAgreement) {

@@ -35,6 +35,9 @@ TEST(MisfitMission, NamesWhatCannotBe) {
   EXPECT_EQ(problem([](Mission& m) { m.fleet[1].id = {4}; }), "agent 2 of its fleet is none");
   EXPECT_EQ(problem([](Mission& m) { m.fleet[0].id = {0}; }), "agent 1 of its fleet is none");
   EXPECT_EQ(problem([](Mission& m) { m.fleet[0].speed_mps = 0; }), "agent 1 of its fleet is none");
+  for (const double endurance_s : {0.0, -1.0, double(NAN), double(INFINITY)})
+    EXPECT_EQ(problem([=](Mission& m) { m.fleet[1].endurance_s = endurance_s; }),
+              "agent 2 of its fleet is none");
   EXPECT_EQ(problem([](Mission& m) { m.fleet[1].speed_mps = INFINITY; }),
             "agent 2 of its fleet is none");
   EXPECT_EQ(problem([](Mission& m) { m.arcs[0].waypoints[1].look.z() = NAN; }), no_line);

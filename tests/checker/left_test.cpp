@@ -146,6 +146,37 @@ TEST(LeftUndone, IsRefutedByWhoCouldFlyItAlone) {
   EXPECT_THAT(listed(checked(run)), HasSubstr("agent 1 has no limit to its endurance"));
 }
 
+/// Exchanges may leave somebody with fewer tasks than it won: room came too late.
+TEST(LeftUndone, GoesByWhatWasWonNotByWhatIsFlown) {
+  RunDocuments run = run_without_arc_1();
+  run.arcs["fleet"][1]["endurance_s"] = nullptr;
+  for (json* agent : {&run.agent_1, &run.agent_2}) {
+    json& left = (*agent)["agreement"]["no_bidders"][0];
+    left["why"] = "bundle-limit";
+    left["agent"] = nullptr;
+    left["limit"] = 3;
+    for (json& task : (*agent)["agreement"]["tasks"])
+      if (task["owner"] == 1) task["won_by"] = 2;
+  }
+  EXPECT_EQ(verdicts(checked(run)), "CcAR") << listed(checked(run));
+  for (json* agent : {&run.agent_1, &run.agent_2})
+    for (json& task : (*agent)["agreement"]["tasks"]) task.erase("won_by");
+  EXPECT_THAT(listed(checked(run)), HasSubstr("agent 2 won 0 tasks and may take 3"));
+}
+
+TEST(LeftUndone, OfABundleLimitIsRefutedByWhoHasRoomAndCouldFlyItAlone) {
+  const auto by_limit = [](json& left) {
+    left["why"] = "bundle-limit";
+    left["agent"] = nullptr;
+    left["limit"] = 1;
+  };
+  RunDocuments run = run_without_arc_1();
+  for (json* agent : {&run.agent_1, &run.agent_2}) by_limit((*agent)["agreement"]["no_bidders"][0]);
+  EXPECT_EQ(verdicts(checked(run)), "CcAR") << "agent 2 does not last: " << listed(checked(run));
+  run.arcs["fleet"][1]["endurance_s"] = 35;
+  EXPECT_THAT(listed(checked(run)), HasSubstr("agent 2 could fly it alone in 34.1421 s of 35"));
+}
+
 TEST(Limits, OfARouteAreItsUavs) {
   RunDocuments run = valid_run();
   run.arcs["fleet"][1]["endurance_s"] = 43.5;

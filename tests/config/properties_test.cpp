@@ -93,13 +93,14 @@ Config legal_config() {
   if (*rc::gen::arbitrary<bool>()) c.auction.split_m = number(0.1, 10000);
   c.auction.max_tasks = *rc::gen::inRange(1u, 100001u);
   c.auction.bundle_limit = *rc::gen::inRange(0u, 100001u);
+  c.auction.trades = *rc::gen::element(TradesKind::off, TradesKind::cheap, TradesKind::full);
   c.auction.audit_bids = *rc::gen::arbitrary<bool>();
   c.auction.tick_ns = time_ns(1, 10000);
   c.auction.lease_ns = time_ns(30000, 600000);
   c.auction.barrier_ns = time_ns(0, 600000);
   c.tour = {*rc::gen::element(TourSolver::crsom, TourSolver::crsom_ls),
             *rc::gen::arbitrary<std::uint32_t>(), *rc::gen::inRange(1u, 100001u),
-            *rc::gen::inRange(0u, 100000001u)};
+            *rc::gen::inRange(0u, 1000001u)};
   c.network.transport = *rc::gen::element(TransportKind::loopback, TransportKind::discovery_server);
   if (*rc::gen::arbitrary<bool>()) c.network.domain = *rc::gen::inRange(0u, 233u);
   c.network.server_port = *rc::gen::inRange<std::uint16_t>(1, 65535);
@@ -118,6 +119,7 @@ TEST(ConfigProperty, PrintedConfigsReadBackTheSame) {
     RC_ASSERT(back.coverage.spacing_m == c.coverage.spacing_m);
     RC_ASSERT(back.auction.tick_ns == c.auction.tick_ns);
     RC_ASSERT(back.auction.split_m == c.auction.split_m);
+    RC_ASSERT(back.auction.trades == c.auction.trades);
     RC_ASSERT(back.fleet.uavs.size() == c.fleet.uavs.size());
   }));
 }

@@ -8,7 +8,7 @@ namespace arcbid {
 namespace {
 
 TEST(PlaceFleet, SpreadsUavsAlongTheLongerSideOnTheGround) {
-  const FleetConfig fleet{.agents = 4, .speed_mps = 2, .uavs = {}};
+  const FleetConfig fleet{.agents = 4, .speed_mps = 2, .endurance_s = {}, .uavs = {}};
   const auto uavs = place_fleet(fleet, {-10, -40, 1}, {10, 40, 30}, 8);
   ASSERT_EQ(uavs.size(), 4u);
   for (std::uint32_t i = 0; i < 4; ++i) {
@@ -27,8 +27,10 @@ TEST(PlaceFleet, GivesEveryUavTheFleetsLimits) {
 }
 
 TEST(PlaceFleet, KeepsHomesThatWereGiven) {
-  const FleetConfig fleet{
-      .agents = 2, .speed_mps = 1, .uavs = {{{7}, {1, 2, 3}, 4}, {{3}, {5, 6, 7}, 8}}};
+  const FleetConfig fleet{.agents = 2,
+                          .speed_mps = 1,
+                          .endurance_s = {},
+                          .uavs = {{{7}, {1, 2, 3}, 4}, {{3}, {5, 6, 7}, 8}}};
   const auto uavs = place_fleet(fleet, {0, 0, 0}, {9, 9, 9}, 5);
   ASSERT_EQ(uavs.size(), 2u);
   EXPECT_EQ(uavs[0].id.value, 3u);

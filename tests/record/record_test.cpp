@@ -43,7 +43,8 @@ Step full_step() {
   u.returned = {{5}};
   u.decision = DecisionMade{3, true, key, claims, {{{4}, true}, {{2}, false}}};
   u.started = u.agreement_lost = true;
-  u.agreed = Agreement{8, 9, {{1}}, {{AgentId{1}, -0.0}}, {{{4}, true}}, {left}};
+  u.agreed =
+      Agreement{8, 9, {{1}}, {{AgentId{1}, -0.0}}, {{{4}, true}}, {{{7}, {{4}, {2}}}}, {left}};
   u.wake_ns = std::numeric_limits<TimeNs>::min();
   return step;
 }

@@ -102,7 +102,7 @@ Step with_a_status() {
   status.heartbeats = {{{2}, {5, 6}}};
   step.event = {-5, status};
   step.update.decision = DecisionMade{3, true, {99, true, 3}, Claims{{{{4}, -0.1}}}, {{{4}, true}}};
-  step.update.agreed = Agreement{8, 9, {{1}}, {{AgentId{1}, -0.5}, {}}, {{{4}, true}}, {}};
+  step.update.agreed = Agreement{8, 9, {{1}}, {{AgentId{1}, -0.5}, {}}, {{{4}, true}}, {}, {}};
   step.update.refused = "why not";
   step.update.wake_ns = -7;
   return step;

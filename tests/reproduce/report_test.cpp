@@ -53,6 +53,14 @@ TEST(Report, MarkdownSetsNumbersSideBySide) {
   EXPECT_THAT(markdown({finding()}, "", false), Not(HasSubstr("chart.svg")));
 }
 
+TEST(Report, NumbersAreRoundedAndNothingHasNoSign) {
+  EXPECT_EQ(shown(-0.004, {"a", "a", 2}), "0.00");
+  EXPECT_EQ(shown(-0.006, {"a", "a", 2}), "-0.01");
+  EXPECT_EQ(shown(-0.4, {"a", "a", 0}), "0");
+  EXPECT_EQ(shown(1e6, {"a", "a", 0}), "1000000");
+  EXPECT_EQ(shown(Cell(), {"a", "a", 2}), "");
+}
+
 TEST(Report, CsvReadsBackToTheSameBits) {
   const Scratch scratch;
   write_csv(finding().table, scratch / "t.csv");

@@ -20,6 +20,8 @@ Market::Market(std::uint64_t seed, std::size_t fleet, std::size_t count)
 }
 
 double Market::within(double least, double most) {
+  // Boost's distribution would look for ever for something below `most` here.
+  if (!(least < most)) return least;
   return boost::random::uniform_real_distribution<double>(least, most)(dice);
 }
 

@@ -48,7 +48,7 @@ class CheckerTest : public ::testing::Test {
     checkers.after({now_ns++, {id}, id, update, view, &winners});
   }
   Agreement agreement(std::uint32_t id, const std::vector<TaskId>& path) const {
-    Agreement proof{77, 1, {{1}, {2}}, best_claims(view, 3), {}, {}};
+    Agreement proof{77, 1, {{1}, {2}}, best_claims(view, 3), {}, {}, {}};
     for (const TaskId task : path) proof.path.push_back({task, false});
     return id > 0 ? proof : Agreement{};
   }

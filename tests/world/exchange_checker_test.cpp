@@ -37,7 +37,7 @@ class ExchangeCheckerTest : public ::testing::Test {
   std::vector<Stretch> pieces;
   StraightTransit transit;
   Findings findings;
-  Agreement proof{77, 1, {{1}, {2}}, {}, {}, {}};
+  Agreement proof{77, 1, {{1}, {2}}, {}, {}, {}, {}};
   ExchangeChecker checker{mission, pieces, transit, findings};
 };
 
@@ -85,6 +85,13 @@ TEST_F(ExchangeCheckerTest, SeesABundleOverItsLimit) {
   mission.auction.bundle_limit = 1;
   fly({{0}, {1}}, {});
   EXPECT_EQ(said(), "agent 1 flies 2 tasks, its limit is 1");
+}
+
+TEST_F(ExchangeCheckerTest, SeesAnExchangeThatMakesItSlower) {
+  checker.compare(1, 100, 100);
+  EXPECT_EQ(said(), "");
+  checker.compare(1, 100, 100.1);
+  EXPECT_EQ(said(), "the slowest takes 100.1 s after exchanges, 100 s before");
 }
 
 TEST_F(ExchangeCheckerTest, WantsEachAgreementTwice) {

@@ -88,7 +88,7 @@ TEST(WorldMaker, StaysWithinItsRangesAndUsesThemUp) {
   }
   EXPECT_EQ(sizes.size(), 11u);
   EXPECT_EQ(policies.size(), 2u);
-  EXPECT_EQ(scores.size(), 5u);
+  EXPECT_EQ(scores.size(), 6u);
   EXPECT_EQ(faults.size(), 6u) << "every kind of agent fault";
 }
 

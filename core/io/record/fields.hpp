@@ -123,12 +123,17 @@ ARCBID_RECORD(NoBidder) {
   v("endurance_s", s.endurance_s);
   v("limit", s.limit);
 }
+ARCBID_RECORD(Taken) {
+  v("agent", s.agent);
+  v("tasks", s.tasks);
+}
 ARCBID_RECORD(Agreement) {
   v("view_hash", s.view_hash);
   v("round", s.round);
   v("members", s.members);
   v("winners", s.winners);
   v("path", s.path);
+  v("taken", s.taken);
   v("left", s.left);
 }
 ARCBID_RECORD(Update) {

@@ -21,6 +21,7 @@ using Cities = std::map<std::uint32_t, Vec3>;
 class Text {
  public:
   explicit Text(const std::filesystem::path& file) : name_(file.string()) {
+    if (std::filesystem::is_directory(file)) throw InputError(name_ + ": is a directory");
     std::ifstream in(file, std::ios::binary);
     text_.assign(std::istreambuf_iterator<char>(in), {});
     if (!in.is_open() || in.bad()) throw InputError(name_ + ": cannot be read");

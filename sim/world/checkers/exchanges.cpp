@@ -42,6 +42,13 @@ void ExchangeChecker::check_limits(TimeNs now_ns, const FleetShare& share) {
   }
 }
 
+void ExchangeChecker::compare(TimeNs now_ns, double won_s, double flown_s) {
+  // Of other policies it is not known in which order a path grew.
+  if (mission_.auction.policy == PolicyKind::claims && flown_s > won_s * (1 + 1e-9))
+    findings_.add(now_ns, "exchanges", "the slowest takes {} s after exchanges, {} s before",
+                  flown_s, won_s);
+}
+
 void ExchangeChecker::after(TimeNs now_ns, const Agreement& proof, const FleetShare& share) {
   WorkedOut& before = worked_out_[proof.view_hash];
   if (before.times++ > 0 && before.paths != share.paths)

@@ -22,6 +22,8 @@ class ExchangeChecker {
   /// Whether what comes of this agreement is still to be worked out: twice for each.
   bool wants(const Agreement& proof) const;
   void after(TimeNs now_ns, const Agreement& proof, const FleetShare& share);
+  /// The slowest flight of all against that of what was won, seconds.
+  void compare(TimeNs now_ns, double won_s, double flown_s);
 
  private:
   void check_owners(TimeNs now_ns, const Agreement& proof, const FleetShare& share);

@@ -204,6 +204,7 @@ void check_greedy(const Mission& mission, const std::vector<Stretch>& pieces,
     const double best = winner->best_gain(is_free);
     const double bid_of_best = winner->warped(best), limit = slack(best);
     const double gain = winner->take();
+    if (gain == -infinity) fail("it cannot fly that", best, gain);
     if (best > gain + limit) fail("another task or place is worth more", best, gain);
     if (std::abs(bid_of_best - claim.bid) > limit) fail("not the bid", bid_of_best, claim.bid);
     is_free.at(claim.task.value) = false;
